@@ -1,0 +1,37 @@
+# Helpers shared by all rooms.
+
+add_library(mesecina_options INTERFACE)
+target_compile_features(mesecina_options INTERFACE cxx_std_20)
+target_include_directories(mesecina_options INTERFACE ${PROJECT_SOURCE_DIR})
+# No contraction into fused multiply-adds: files are the same bytes on every machine, and error bounds of predicates hold.
+target_compile_options(mesecina_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+if(MESECINA_STRICT)
+  target_compile_options(mesecina_options INTERFACE -Werror)
+endif()
+if(MESECINA_SANITIZE)
+  target_compile_options(mesecina_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(mesecina_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# mesecina_library(NAME SOURCES... [LINK libraries...]): a static library of one room.
+function(mesecina_library name)
+  cmake_parse_arguments(ARG "QT" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC mesecina_options ${ARG_LINK})
+  if(ARG_QT)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    target_compile_definitions(${name} PRIVATE QT_NO_KEYWORDS QT_NO_CAST_TO_ASCII)
+  endif()
+endfunction()
+
+# mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE...]): a GoogleTest program.
+function(mesecina_test name)
+  cmake_parse_arguments(ARG "QT" "LABEL" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE mesecina_options ${ARG_LINK} GTest::gtest GTest::gmock)
+  if(ARG_QT)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABEL}" ENVIRONMENT
+                       "${ARG_ENVIRONMENT}" TIMEOUT 300)
+endfunction()

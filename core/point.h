@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesecina {
+
+struct Point_2 {
+  double x = 0;
+  double y = 0;
+  bool operator==(const Point_2&) const = default;
+};
+
+struct Point_3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  bool operator==(const Point_3&) const = default;
+};
+
+inline double squared_distance(const Point_2& p, const Point_2& q) {
+  const double dx = p.x - q.x;
+  const double dy = p.y - q.y;
+  return dx * dx + dy * dy;
+}
+
+inline double distance(const Point_2& p, const Point_2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+inline Point_2 midpoint(const Point_2& p, const Point_2& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2}; }
+
+/// Axis-parallel box; empty until something is added. Planar data has z = 0.
+struct Box {
+  Point_3 lower{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                std::numeric_limits<double>::infinity()};
+  Point_3 upper{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                -std::numeric_limits<double>::infinity()};
+
+  bool is_empty() const { return lower.x > upper.x; }
+  void add(const Point_3& p) {
+    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
+    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+  }
+  void add(const Point_2& p) { add(Point_3{p.x, p.y, 0}); }
+  void add(const Box& box) {
+    if (!box.is_empty()) {
+      add(box.lower);
+      add(box.upper);
+    }
+  }
+  /// Length of the diagonal; 0 when empty. "Relative to the diagonal" always means this.
+  double diagonal() const {
+    return is_empty() ? 0 : std::hypot(upper.x - lower.x, upper.y - lower.y, upper.z - lower.z);
+  }
+};
+
+}  // namespace mesecina
