@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/primitives.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mesecina {
+
+const Values* Primitive_set::find_values(std::string_view name) const {
+  const auto it = std::ranges::find(values, name, &Values::name);
+  return it == values.end() ? nullptr : &*it;
+}
+
+Box Primitive_set::bounding_box() const {
+  Box box;
+  for (const Point_3& p : vertices) box.add(p);
+  const auto add_ball = [&](const Point_3& c, double r) {
+    const double rz = dimension == 3 ? r : 0;
+    box.add(Point_3{c.x - r, c.y - r, c.z - rz});
+    box.add(Point_3{c.x + r, c.y + r, c.z + rz});
+  };
+  for (const Ball& ball : balls) add_ball(vertices[ball.center], ball.radius);
+  for (const Arc& arc : arcs) add_ball({arc.center.x, arc.center.y, 0}, arc.radius);
+  if (image) {
+    box.add(image->lower_left);
+    box.add(Point_2{image->lower_left.x + image->width * image->pixel_size,
+                    image->lower_left.y + image->height * image->pixel_size});
+  }
+  return box;
+}
+
+Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep) {
+  Primitive_set result;
+  result.dimension = set.dimension;
+  result.image = set.image;
+  result.is_complex = set.is_complex;
+
+  std::vector<bool> used(set.vertices.size(), false);
+  std::size_t element = 0;
+  const auto each = [&](std::size_t count, auto&& use) {
+    for (std::size_t i = 0; i < count; ++i, ++element)
+      if (keep[element]) use(i);
+  };
+  each(set.points.size(), [&](std::size_t i) { used[set.points[i]] = true; });
+  each(set.segments.size(), [&](std::size_t i) { for (int v : set.segments[i]) used[v] = true; });
+  each(set.rays.size(), [&](std::size_t i) { used[set.rays[i].from] = true; });
+  each(set.arcs.size(), [&](std::size_t i) { used[set.arcs[i].from] = used[set.arcs[i].to] = true; });
+  each(set.triangles.size(), [&](std::size_t i) { for (int v : set.triangles[i]) used[v] = true; });
+  each(set.polygon_count(), [&](std::size_t i) { for (int v : set.polygon(i)) used[v] = true; });
+  each(set.balls.size(), [&](std::size_t i) { used[set.balls[i].center] = true; });
+
+  std::vector<int> renamed(set.vertices.size(), -1);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    renamed[v] = static_cast<int>(result.vertices.size());
+    result.vertices.push_back(set.vertices[v]);
+  }
+
+  element = 0;
+  each(set.points.size(), [&](std::size_t i) { result.points.push_back(renamed[set.points[i]]); });
+  each(set.segments.size(),
+       [&](std::size_t i) { result.segments.push_back({renamed[set.segments[i][0]], renamed[set.segments[i][1]]}); });
+  each(set.rays.size(), [&](std::size_t i) { result.rays.push_back({renamed[set.rays[i].from], set.rays[i].direction}); });
+  each(set.arcs.size(), [&](std::size_t i) {
+    Arc arc = set.arcs[i];
+    arc.from = renamed[arc.from];
+    arc.to = renamed[arc.to];
+    result.arcs.push_back(arc);
+  });
+  each(set.triangles.size(), [&](std::size_t i) {
+    const auto& t = set.triangles[i];
+    result.triangles.push_back({renamed[t[0]], renamed[t[1]], renamed[t[2]]});
+  });
+  each(set.polygon_count(), [&](std::size_t i) {
+    if (result.polygon_offsets.empty()) result.polygon_offsets.push_back(0);
+    for (int v : set.polygon(i)) result.polygon_vertices.push_back(renamed[v]);
+    result.polygon_offsets.push_back(static_cast<int>(result.polygon_vertices.size()));
+  });
+  each(set.balls.size(), [&](std::size_t i) { result.balls.push_back({renamed[set.balls[i].center], set.balls[i].radius}); });
+
+  for (const Values& values : set.values) {
+    Values kept{values.name, values.unit, {}};
+    for (std::size_t i = 0; i < values.data.size(); ++i)
+      if (keep[i]) kept.data.push_back(values.data[i]);
+    result.values.push_back(std::move(kept));
+  }
+  for (std::size_t i = 0; i < keep.size(); ++i)
+    if (keep[i]) result.ids.push_back(set.id(i));
+  return result;
+}
+
+Primitive_set apply_cut(const Primitive_set& set, const Cut& cut) {
+  const Values* values = set.find_values(cut.value);
+  if (!values) return set;
+  std::vector<bool> keep(values->data.size());
+  for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = values->data[i] >= cut.minimum;
+  return select(set, keep);
+}
+
+std::optional<Topology> topology(const Primitive_set& set) {
+  if (!set.is_complex || !set.rays.empty() || !set.arcs.empty() || set.polygon_count() != 0 || !set.balls.empty() ||
+      set.dimension != 2)
+    return std::nullopt;
+
+  std::vector<bool> used(set.vertices.size(), false);
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(set.segments.size() + 3 * set.triangles.size());
+  const auto add_edge = [&](int a, int b) { edges.push_back({std::min(a, b), std::max(a, b)}); };
+  for (int v : set.points) used[v] = true;
+  for (const auto& s : set.segments) add_edge(s[0], s[1]);
+  for (const auto& t : set.triangles)
+    for (int i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3]);
+  if (!set.triangles.empty()) {
+    std::ranges::sort(edges);
+    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+  }
+
+  std::vector<int> parent(set.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& e : edges) {
+    used[e[0]] = used[e[1]] = true;
+    parent[find(e[0])] = find(e[1]);
+  }
+  Topology result;
+  const auto vertex_count = std::ranges::count(used, true);
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v] && find(static_cast<int>(v)) == static_cast<int>(v)) ++result.betti[0];
+  result.euler = vertex_count - static_cast<std::int64_t>(edges.size()) + static_cast<std::int64_t>(set.triangles.size());
+  result.betti[1] = result.betti[0] - result.euler;
+  return result;
+}
+
+}  // namespace mesecina

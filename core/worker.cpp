@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/worker.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace mesecina {
+
+namespace {
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+}  // namespace
+
+struct Worker::State {
+  struct Question {
+    std::string layer;
+    std::size_t element = 0;
+    std::function<void(Element_description)> answer;
+  };
+
+  State(std::shared_ptr<const Registry> registry, int threads_, Listener listener_, Deliver deliver_, double patience_)
+      : graph(std::move(registry)),
+        threads(threads_),
+        listener(std::move(listener_)),
+        deliver(std::move(deliver_)),
+        patience(patience_) {}
+
+  void run(const std::stop_token& stop);
+  void serve(Request request);
+  void answer(Question question);
+
+  Graph graph;  // the worker's thread only
+  int threads;
+  Listener listener;
+  Deliver deliver;
+  double patience;
+
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::optional<Request> waiting;
+  std::optional<Question> question;
+  std::stop_source running;  ///< of the request being computed
+  bool is_running = false;
+  Clock::time_point running_since;
+  bool replaced_last = false;  ///< the previous request was stopped in favour of the running one
+  std::jthread thread;
+};
+
+Worker::Worker(std::shared_ptr<const Registry> registry, int threads, Listener listener, Deliver deliver,
+               double patience)
+    : state_(std::make_unique<State>(std::move(registry), threads, std::move(listener), std::move(deliver), patience)) {
+  state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
+}
+
+Worker::~Worker() {
+  state_->thread.request_stop();
+  cancel();
+  state_->wake.notify_all();
+  state_->thread.join();
+}
+
+void Worker::request(Request request) {
+  const std::lock_guard lock(state_->mutex);
+  if (state_->is_running) {
+    const double allowed = state_->replaced_last ? 10 * state_->patience : state_->patience;
+    if (seconds_since(state_->running_since) > allowed) {
+      state_->running.request_stop();
+      state_->replaced_last = true;
+    }
+  }
+  state_->waiting = std::move(request);
+  state_->wake.notify_all();
+}
+
+void Worker::cancel() {
+  const std::lock_guard lock(state_->mutex);
+  state_->waiting.reset();
+  state_->question.reset();
+  if (state_->is_running) state_->running.request_stop();
+}
+
+void Worker::describe(std::string layer, std::size_t element, std::function<void(Element_description)> answer) {
+  const std::lock_guard lock(state_->mutex);
+  state_->question = State::Question{std::move(layer), element, std::move(answer)};
+  state_->wake.notify_all();
+}
+
+void Worker::State::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    std::optional<Request> request;
+    std::optional<Question> asked;
+    {
+      std::unique_lock lock(mutex);
+      wake.wait(lock, stop, [&] { return waiting.has_value() || question.has_value(); });
+      if (stop.stop_requested()) return;
+      if (waiting) {
+        request = std::exchange(waiting, std::nullopt);
+        running = std::stop_source();
+        is_running = true;
+        running_since = Clock::now();
+      } else {
+        asked = std::exchange(question, std::nullopt);
+      }
+    }
+    if (request) {
+      serve(std::move(*request));
+    } else if (asked) {
+      answer(std::move(*asked));
+    }
+  }
+}
+
+void Worker::State::serve(Request request) {
+  const std::uint64_t ticket = request.ticket;
+  const auto report = [this, ticket, last = Clock::time_point()](std::string_view stage, double fraction) mutable {
+    constexpr double interval = 0.03;
+    if (seconds_since(last) < interval) return;
+    last = Clock::now();
+    deliver([this_listener = listener.progressed, ticket, text = std::string(stage), fraction] {
+      if (this_listener) this_listener(ticket, text, fraction);
+    });
+  };
+  Progress progress(running.get_token(), report, threads);
+  bool completed = true;
+  try {
+    graph.set_inputs(std::move(request.inputs));
+    graph.set_settings(std::move(request.settings));
+    for (const std::string& layer : request.layers) {
+      deliver([call = listener.started, ticket, layer] {
+        if (call) call(ticket, layer);
+      });
+      const auto start = Clock::now();
+      Layer_result result{ticket, layer, graph.layer(layer, progress), graph.warnings(layer), 0};
+      result.seconds = seconds_since(start);
+      deliver([call = listener.finished_layer, result = std::move(result)]() mutable {
+        if (call) call(std::move(result));
+      });
+    }
+  } catch (const Cancelled&) {
+    completed = false;
+  }
+  graph.clear_stages();
+  {
+    const std::lock_guard lock(mutex);
+    is_running = false;
+    if (completed) replaced_last = false;
+  }
+  deliver([call = listener.finished, ticket, completed] {
+    if (call) call(ticket, completed);
+  });
+}
+
+void Worker::State::answer(Question asked) {
+  std::stop_source source;
+  {
+    const std::lock_guard lock(mutex);
+    running = source;
+    is_running = true;
+    running_since = Clock::now();
+  }
+  Progress progress(source.get_token(), {}, threads);
+  std::optional<Element_description> description;
+  try {
+    description = graph.describe(asked.layer, asked.element, progress);
+  } catch (const std::exception&) {
+    description.reset();
+  }
+  {
+    const std::lock_guard lock(mutex);
+    is_running = false;
+  }
+  if (description) {
+    deliver([call = std::move(asked.answer), text = std::move(*description)]() mutable { call(std::move(text)); });
+  }
+}
+
+}  // namespace mesecina

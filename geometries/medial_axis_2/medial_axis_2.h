@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometries/delaunay_2/delaunay_2.h"
+#include "geometries/labels_2/labels_2.h"
+
+namespace mesecina {
+
+/// Medial axis of a sampled shape: the inner Voronoi vertices and the Voronoi edges between two of them.
+/// [B. Miklos: The Scale Axis Transform, 2010, Theorem 8 and section 4.3.3]
+struct Medial_axis_2 {
+  std::vector<Point_2> centers;                ///< of the medial balls
+  std::vector<double> radii;                   ///< of the medial balls
+  std::vector<int> triangles;                  ///< Delaunay triangle of each ball: its corners are the contact points
+  std::vector<std::array<int, 2>> edges;       ///< pairs of balls
+  std::vector<std::array<int, 2>> contacts;    ///< per edge, the two samples it lies between (points of the Delaunay triangulation)
+};
+
+/// O(n).
+Medial_axis_2 medial_axis(const Delaunay_2& triangulation, const Voronoi_2& voronoi, const Labels_2& labels,
+                          Progress& progress);
+
+/// Per edge of the axis: half the distance of its contact points.
+std::vector<double> lambda_of_edges(const Delaunay_2& triangulation, const Medial_axis_2& axis, Progress& progress);
+/// Per edge: the largest contact angle on it, in degrees in (0,180]: that at its point nearest to the midpoint of the
+/// contact points, 180 if the edge passes between them.
+std::vector<double> angle_of_edges(const Delaunay_2& triangulation, const Medial_axis_2& axis, Progress& progress);
+/// Per ball: radius of the smallest circle that encloses its three contact points.
+std::vector<double> lambda_of_balls(const Delaunay_2& triangulation, const Medial_axis_2& axis, Progress& progress);
+/// Per ball: the largest angle, in degrees, between two contact points seen from the center.
+std::vector<double> angle_of_balls(const Delaunay_2& triangulation, const Medial_axis_2& axis, Progress& progress);
+
+}  // namespace mesecina
