@@ -10,7 +10,8 @@
 namespace mesecina {
 
 /// True iff the Delaunay edge pq with opposite corners r and s belongs to the one-step crust:
-/// cot(prq) cot(psq) >= 1. Exact. [C. Gold, J. Snoeyink: A one-step crust and skeleton extraction algorithm, Algorithmica 2001]
+/// cot(prq) cot(psq) >= 1. Exact. [C. Gold, J. Snoeyink: A one-step crust and skeleton extraction algorithm,
+/// Algorithmica 2001]
 bool is_crust_edge(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s);
 /// The same for an edge of the hull: s is at infinity, so the angle prq must be acute. Exact.
 bool is_crust_hull_edge(const Point_2& p, const Point_2& q, const Point_2& r);

@@ -17,13 +17,13 @@ namespace mesecina {
 /// Edges are named by a triangle t and a corner i: the edge opposite to that corner. The same edge is seen from
 /// neighbors[t][i]; `edge_is_listed` chooses one of the two.
 struct Delaunay_2 {
-  std::vector<Point_2> points;       ///< as given, equal ones included
-  std::vector<int> site;             ///< per point: index of the point that is its site (itself unless a duplicate)
+  std::vector<Point_2> points;  ///< as given, equal ones included
+  std::vector<int> site;        ///< per point: index of the point that is its site (itself unless a duplicate)
   std::size_t site_count = 0;
-  int dimension = -1;                ///< -1 no point, 0 one site, 1 all sites on a line, 2 otherwise
+  int dimension = -1;                         ///< -1 no point, 0 one site, 1 all sites on a line, 2 otherwise
   std::vector<std::array<int, 3>> triangles;  ///< points, counterclockwise
   std::vector<std::array<int, 3>> neighbors;  ///< triangle opposite to the corner; -1: the outside of the hull
-  std::vector<int> line;             ///< dimension 0 and 1: the sites in their order on the line
+  std::vector<int> line;                      ///< dimension 0 and 1: the sites in their order on the line
 
   Delaunay_2();
   ~Delaunay_2();
@@ -43,7 +43,7 @@ struct Delaunay_2 {
     return n[0] == triangle ? 0 : n[1] == triangle ? 1 : 2;
   }
 
-  struct Dynamic;                     ///< CGAL's triangulation, kept for local updates
+  struct Dynamic;  ///< CGAL's triangulation, kept for local updates
   std::unique_ptr<Dynamic> dynamic;
 };
 
@@ -52,10 +52,10 @@ struct Delaunay_2 {
 Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress);
 
 /// Changes `triangulation` into one of `points`, by moving, inserting and removing single sites where that is
-/// cheaper than starting afresh (up to some hundred changed points), else by `delaunay`. Point i is taken for the old point i
-/// after a run of inserted or removed points was matched. The triangles are those of `delaunay(points)` up to their
-/// order and the choice among cocircular sites. Returns true when it was done locally. Throws Cancelled, and then leaves
-/// something that may only be destroyed or assigned to. Local: O(n) cheap comparisons + O(log n) per change.
+/// cheaper than starting afresh (up to some hundred changed points), else by `delaunay`. Point i is taken for the old
+/// point i after a run of inserted or removed points was matched. The triangles are those of `delaunay(points)` up to
+/// their order and the choice among cocircular sites. Returns true when it was done locally. Throws Cancelled, and then
+/// leaves something that may only be destroyed or assigned to. Local: O(n) cheap comparisons + O(log n) per change.
 bool update(Delaunay_2& triangulation, std::span<const Point_2> points, Progress& progress);
 
 /// Voronoi vertices: per triangle the circumcenter and circumradius.

@@ -12,11 +12,12 @@ namespace mesecina {
 /// Medial axis of a sampled shape: the inner Voronoi vertices and the Voronoi edges between two of them.
 /// [B. Miklos: The Scale Axis Transform, 2010, Theorem 8 and section 4.3.3]
 struct Medial_axis_2 {
-  std::vector<Point_2> centers;                ///< of the medial balls
-  std::vector<double> radii;                   ///< of the medial balls
-  std::vector<int> triangles;                  ///< Delaunay triangle of each ball: its corners are the contact points
-  std::vector<std::array<int, 2>> edges;       ///< pairs of balls
-  std::vector<std::array<int, 2>> contacts;    ///< per edge, the two samples it lies between (points of the Delaunay triangulation)
+  std::vector<Point_2> centers;           ///< of the medial balls
+  std::vector<double> radii;              ///< of the medial balls
+  std::vector<int> triangles;             ///< Delaunay triangle of each ball: its corners are the contact points
+  std::vector<std::array<int, 2>> edges;  ///< pairs of balls
+  std::vector<std::array<int, 2>>
+      contacts;  ///< per edge, the two samples it lies between (points of the Delaunay triangulation)
 };
 
 /// O(n).

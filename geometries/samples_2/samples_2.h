@@ -11,7 +11,7 @@ namespace mesecina {
 
 /// The points that stand for the shape: the bare points first, in the user's order, then those along the outline.
 struct Samples_2 {
-  std::vector<Point_2> points;  ///< may hold equal points
+  std::vector<Point_2> points;               ///< may hold equal points
   std::shared_ptr<const Outline_2> outline;  ///< the shape itself; null when there are bare points among the samples
 };
 

@@ -14,8 +14,8 @@ namespace mesecina {
 /// [B. Miklos: The Scale Axis Transform, 2010, section 6.2]
 ///
 /// By a bounding volume hierarchy over (center, radius); near-linear in practice. Radii must be finite and >= 0.
-/// Same result for every number of threads. `hints`, when not empty, holds per disk the index of another that is likely to give
-/// a small value (any index is allowed; -1 for none): it only saves time.
+/// Same result for every number of threads. `hints`, when not empty, holds per disk the index of another that is likely
+/// to give a small value (any index is allowed; -1 for none): it only saves time.
 std::vector<double> scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
                                      std::span<const int> hints, Progress& progress);
 

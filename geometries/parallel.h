@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/progress.h"
+
+namespace mesecina {
+
+/// Calls body(b) for b in [0, blocks), on as many threads as `progress` allows, testing for cancellation before each.
+/// The calls must be independent of each other, so that the result is the same for every number of threads.
+template <class Body>
+void parallel_blocks(std::size_t blocks, Progress& progress, const Body& body) {
+  if (progress.threads() <= 1 || blocks <= 1) {
+    for (std::size_t b = 0; b < blocks; ++b) {
+      progress.check();
+      body(b);
+    }
+    return;
+  }
+  tbb::task_arena arena(progress.threads());
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks), [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t b = range.begin(); b < range.end(); ++b) {
+        progress.check();
+        body(b);
+      }
+    });
+  });
+}
+
+/// The same for single elements, a block at a time.
+template <class Body>
+void parallel_for(std::size_t count, Progress& progress, const Body& body) {
+  constexpr std::size_t block = 8192;
+  parallel_blocks((count + block - 1) / block, progress, [&](std::size_t b) {
+    const std::size_t end = std::min(count, (b + 1) * block);
+    for (std::size_t i = b * block; i < end; ++i) body(i);
+  });
+}
+
+}  // namespace mesecina

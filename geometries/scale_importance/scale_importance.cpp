@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/scale_importance/scale_importance.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geometries/parallel.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t leaf_size = 8;
+constexpr std::size_t fan_out = 4;
+
+constexpr double unit_roundoff = 1.1102230246251565e-16;
+
+struct Disk {
+  double x;
+  double y;
+  double radius;
+};
+
+/// Bounding volume of disks whose centers lie near a line and whose radii change nearly linearly along it, as those of
+/// neighbours on a medial axis do: centers within an oriented rectangle, radius at most peak + slope t at coordinate t
+/// along it.
+///
+/// Plain boxes with a largest radius are off by the size of the box; near a minimum, where the quotient changes with
+/// the square of the distance, a search would have to open some sqrt(n) of them. This volume is off by the square of
+/// its size.
+struct Node {
+  double x = 0;  ///< middle of the rectangle
+  double y = 0;
+  double axis_x = 1;  ///< unit vector
+  double axis_y = 0;
+  double half_length = 0;
+  double half_width = 0;
+  double peak = -infinity;
+  double slope = 0;
+
+  static Node around(std::span<const Disk> disks);
+
+  /// Square of a lower bound of the quotient of `disk` with any disk of the node; infinity when none is larger.
+  /// Rounding is accounted for, so that it can never cut off the minimum.
+  double squared_bound(const Disk& disk) const {
+    const double dx = disk.x - x;
+    const double dy = disk.y - y;
+    const double along = dx * axis_x + dy * axis_y;
+    const double across = dy * axis_x - dx * axis_y;
+    const double position_error = 8 * unit_roundoff * (std::abs(dx) + std::abs(dy));
+    const double q = std::max(0.0, std::abs(across) - half_width - position_error);
+    // With u = t - along the quotient is sqrt(u^2 + q^2) / (growth + slope u): quasiconvex where growth is positive,
+    // with its least value at u = slope q^2 / growth.
+    const double low = -half_length - along - position_error;
+    const double high = half_length - along + position_error;
+    const double growth =
+        peak - disk.radius + slope * along +
+        8 * unit_roundoff * (std::abs(peak) + disk.radius + std::abs(slope) * (std::abs(along) + half_length));
+    double u = slope > 0 ? high : low;
+    if (growth > 0) u = std::clamp(slope * q * q / growth, low, high);
+    const double growth_there = growth + slope * u;
+    if (!(growth_there > 0)) return infinity;
+    return (u * u + q * q) / (growth_there * growth_there) * (1 - 64 * unit_roundoff);
+  }
+};
+
+Node Node::around(std::span<const Disk> disks) {
+  Node node;
+  const double count = static_cast<double>(disks.size());
+  double radius = 0;
+  for (const Disk& disk : disks) {
+    node.x += disk.x / count;
+    node.y += disk.y / count;
+    radius += disk.radius / count;
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  for (const Disk& disk : disks) {
+    const double dx = disk.x - node.x;
+    const double dy = disk.y - node.y;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  }
+  // Direction of the larger eigenvalue of the covariance.
+  const double half_difference = (xx - yy) / 2;
+  const double root = std::sqrt(half_difference * half_difference + xy * xy);
+  double ax = half_difference >= 0 ? half_difference + root : xy;
+  double ay = half_difference >= 0 ? xy : root - half_difference;
+  const double length = std::sqrt(ax * ax + ay * ay);
+  if (length > 0) {
+    ax /= length;
+    ay /= length;
+  } else {
+    ax = 1;
+    ay = 0;
+  }
+  node.axis_x = ax;
+  node.axis_y = ay;
+
+  double tt = 0;
+  double tr = 0;
+  double low_t = infinity;
+  double high_t = -infinity;
+  double low_w = infinity;
+  double high_w = -infinity;
+  for (const Disk& disk : disks) {
+    const double dx = disk.x - node.x;
+    const double dy = disk.y - node.y;
+    const double t = dx * ax + dy * ay;
+    const double w = dy * ax - dx * ay;
+    low_t = std::min(low_t, t);
+    high_t = std::max(high_t, t);
+    low_w = std::min(low_w, w);
+    high_w = std::max(high_w, w);
+    tt += t * t;
+    tr += t * (disk.radius - radius);
+  }
+  const double middle_t = (low_t + high_t) / 2;
+  const double middle_w = (low_w + high_w) / 2;
+  node.x += middle_t * ax - middle_w * ay;
+  node.y += middle_t * ay + middle_w * ax;
+  node.slope = tt > 0 ? tr / tt : 0;
+  double largest_radius = 0;
+  double reach = 0;
+  for (const Disk& disk : disks) {
+    const double dx = disk.x - node.x;
+    const double dy = disk.y - node.y;
+    const double t = dx * ax + dy * ay;
+    node.half_length = std::max(node.half_length, std::abs(t));
+    node.half_width = std::max(node.half_width, std::abs(dy * ax - dx * ay));
+    node.peak = std::max(node.peak, disk.radius - node.slope * t);
+    largest_radius = std::max(largest_radius, disk.radius);
+    reach = std::max(reach, std::abs(dx) + std::abs(dy));
+  }
+  node.half_length += 8 * unit_roundoff * reach;
+  node.half_width += 8 * unit_roundoff * reach;
+  node.peak += 8 * unit_roundoff * (largest_radius + std::abs(node.slope) * reach);
+  return node;
+}
+
+/// Disks in Hilbert order under a tree of boxes; level 0 holds the leaves.
+class Hierarchy {
+ public:
+  Hierarchy(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Indexed = std::pair<Kernel::Point_2, int>;
+    std::vector<Indexed> sorted;
+    sorted.reserve(centers.size());
+    for (std::size_t i = 0; i < centers.size(); ++i)
+      sorted.emplace_back(Kernel::Point_2(centers[i].x, centers[i].y), static_cast<int>(i));
+    CGAL::hilbert_sort(sorted.begin(), sorted.end(),
+                       CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Indexed>>());
+    progress.check();
+    order_.reserve(sorted.size());
+    disks_.reserve(sorted.size());
+    for (const auto& [point, index] : sorted) {
+      order_.push_back(index);
+      disks_.push_back({point.x(), point.y(), radii[index]});
+    }
+    for (std::size_t size = leaf_size;; size *= fan_out) {
+      std::vector<Node>& level = levels_.emplace_back((disks_.size() + size - 1) / size);
+      const std::span<const Disk> all(disks_);
+      const std::size_t nodes_per_block = std::max<std::size_t>(1, 8192 / size);
+      parallel_blocks((level.size() + nodes_per_block - 1) / nodes_per_block, progress, [&](std::size_t block) {
+        const std::size_t end = std::min(level.size(), (block + 1) * nodes_per_block);
+        for (std::size_t i = block * nodes_per_block; i < end; ++i)
+          level[i] = Node::around(all.subspan(i * size, std::min(size, all.size() - i * size)));
+      });
+      if (level.size() <= 1) break;
+    }
+  }
+
+  const std::vector<int>& order() const { return order_; }
+  const Disk& disk(std::size_t position) const { return disks_[position]; }
+
+  /// Lowers `best` to the importance of the disk at `position`; `candidate`, when not -1, is the position of a likely
+  /// minimum, and is set to the one found.
+  double importance(std::size_t position, double best, int& candidate) const {
+    const Disk& disk = disks_[position];
+    if (candidate >= 0) best = std::min(best, quotient(disk, disks_[candidate]));
+    double squared_best = best * best;
+
+    struct Visit {
+      double squared_bound;
+      std::uint32_t level;
+      std::uint32_t node;
+    };
+    std::array<Visit, 128> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {levels_.back()[0].squared_bound(disk), static_cast<std::uint32_t>(levels_.size() - 1), 0};
+    while (depth > 0) {
+      if (best == 0) break;
+      const Visit visit = stack[--depth];
+      if (!(visit.squared_bound <= squared_best) || visit.squared_bound == infinity) continue;
+      if (visit.level == 0) {
+        const std::size_t end = std::min(disks_.size(), (std::size_t{visit.node} + 1) * leaf_size);
+        for (std::size_t i = std::size_t{visit.node} * leaf_size; i < end; ++i) {
+          const double value = quotient(disk, disks_[i]);
+          if (value < best) {
+            best = value;
+            squared_best = best * best;
+            candidate = static_cast<int>(i);
+          }
+        }
+        continue;
+      }
+      const std::vector<Node>& below = levels_[visit.level - 1];
+      const std::size_t begin = std::size_t{visit.node} * fan_out;
+      const std::size_t end = std::min(below.size(), begin + fan_out);
+      const std::size_t first = depth;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double bound = below[i].squared_bound(disk);
+        if (bound <= squared_best && bound < infinity)
+          stack[depth++] = {bound, visit.level - 1, static_cast<std::uint32_t>(i)};
+      }
+      // The most promising child is taken first, from the top of the stack.
+      std::sort(stack.begin() + first, stack.begin() + depth,
+                [](const Visit& a, const Visit& b) { return a.squared_bound > b.squared_bound; });
+    }
+    return best;
+  }
+
+  static double quotient(const Disk& disk, const Disk& larger) {
+    const double growth = larger.radius - disk.radius;
+    if (!(growth > 0)) return infinity;
+    const double dx = larger.x - disk.x;
+    const double dy = larger.y - disk.y;
+    return std::sqrt(dx * dx + dy * dy) / growth;
+  }
+
+ private:
+  std::vector<int> order_;  ///< per position the index of the disk
+  std::vector<Disk> disks_;
+  std::vector<std::vector<Node>> levels_;
+};
+
+}  // namespace
+
+std::vector<double> scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
+                                     std::span<const int> hints, Progress& progress) {
+  std::vector<double> importance(centers.size(), infinity);
+  if (centers.empty()) return importance;
+  const Hierarchy hierarchy(centers, radii, progress);
+  const auto& order = hierarchy.order();
+
+  constexpr std::size_t block = 512;
+  const std::size_t blocks = (order.size() + block - 1) / block;
+  parallel_blocks(blocks, progress, [&](std::size_t b) {
+    int candidate = -1;
+    const std::size_t end = std::min(order.size(), (b + 1) * block);
+    for (std::size_t position = b * block; position < end; ++position) {
+      const int index = order[position];
+      double best = infinity;
+      if (!hints.empty() && hints[index] >= 0) {
+        const int hint = hints[index];
+        best = Hierarchy::quotient(hierarchy.disk(position), {centers[hint].x, centers[hint].y, radii[hint]});
+      }
+      importance[index] = hierarchy.importance(position, best, candidate);
+    }
+  });
+  return importance;
+}
+
+}  // namespace mesecina
