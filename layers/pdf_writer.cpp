@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layers/pdf_writer.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "layers/painter_canvas.h"
+
+namespace mesecina {
+
+std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int height) {
+  constexpr double points_per_pixel = 0.75;
+  constexpr int resolution = 1200;
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setCreator(QStringLiteral("Mesecina"));
+  writer.setResolution(resolution);
+  writer.setPageSize(QPageSize(QSizeF(width * points_per_pixel, height * points_per_pixel), QPageSize::Point, QString(),
+                               QPageSize::ExactMatch));
+  writer.setPageMargins(QMarginsF());
+  QPainter painter(&writer);
+  painter.scale(resolution / 96.0, resolution / 96.0);
+  paint_scene(painter, scene, view, width, height);
+  paint_color_bars(painter, scene, width, height);
+  painter.end();
+  return bytes.toStdString();
+}
+
+}  // namespace mesecina

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "core/style.h"
+
+namespace mesecina {
+
+/// The scene with its colour bars as a PDF file of one page, `width` x `height` pixels of 1/96 inch, all in vectors.
+/// The bytes depend only on the arguments and on the installed font: the file bears no date and no random name.
+/// Needs a QGuiApplication.
+std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int height);
+
+}  // namespace mesecina
