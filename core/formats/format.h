@@ -44,6 +44,7 @@ struct Layer_document {
   std::map<std::string, Setting_value> settings;
   const Primitive_set* primitives = nullptr;  ///< null iff there is a reason
   std::string reason;
+  int dimension = 2;  ///< of the space, for when there are no primitives to tell
 };
 
 /// Writes one layer. The bytes depend only on the document.
@@ -62,7 +63,8 @@ struct Picture_writer {
   std::function<void(const std::filesystem::path&, const Scene&, const View_2&, int width, int height)> write;
 };
 
-/// Writes inputs back, losslessly: reading the file gives equal inputs.
+/// Writes inputs back, losslessly: reading the file gives equal inputs. (Only the order of an outline's rings may change:
+/// holes follow their outer ring.)
 struct Input_writer {
   std::string name;
   std::string extension;

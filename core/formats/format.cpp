@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/format.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fstream>
+#include <locale>
+#include <system_error>
+
+#include "core/formats/readers.h"
+#include "core/formats/text_file.h"
+#include "core/formats/writers.h"
+
+namespace mesecina {
+namespace {
+
+std::string one_line(const std::filesystem::path& file, std::size_t line, const std::string& message) {
+  std::string text = file.string();
+  if (line != 0) text.append(":").append(std::to_string(line));
+  text += ": ";
+  text += message;
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' '; }, ' ');
+  return text;
+}
+
+std::string lower_extension(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return lower_case(std::string_view(extension).substr(std::min<std::size_t>(1, extension.size())));
+}
+
+std::string known_extensions(const Formats& formats) {
+  std::vector<std::string> extensions;
+  for (const Reader& reader : formats.readers)
+    extensions.insert(extensions.end(), reader.extensions.begin(), reader.extensions.end());
+  std::ranges::sort(extensions);
+  std::string text;
+  for (const std::string& extension : extensions) text.append(text.empty() ? "." : " .").append(extension);
+  return text;
+}
+
+/// A file next to `file` that did not exist before and exists, empty, now.
+std::filesystem::path create_temporary(const std::filesystem::path& file) {
+  constexpr int most_attempts = 1000;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    std::filesystem::path temporary = file;
+    temporary += ".part" + std::to_string(attempt);
+    errno = 0;
+    if (std::FILE* created = std::fopen(temporary.c_str(), "wx")) {
+      std::fclose(created);
+      return temporary;
+    }
+    if (errno != EEXIST) {
+      throw File_error(file, 0,
+                       "expected to create a file here, found '" + std::generic_category().message(errno) +
+                           "'; check that the folder exists and may be written");
+    }
+  }
+  throw File_error(file, 0, "expected to create a file here, found 1000 left-over .part files; delete them");
+}
+
+}  // namespace
+
+File_error::File_error(const std::filesystem::path& file, std::size_t line, const std::string& message)
+    : std::runtime_error(one_line(file, line, message)) {}
+
+const Reader* Formats::reader_for(const std::filesystem::path& file) const {
+  const std::string extension = lower_extension(file);
+  const auto it = std::ranges::find_if(
+      readers, [&](const Reader& reader) { return std::ranges::count(reader.extensions, extension) != 0; });
+  return it == readers.end() ? nullptr : &*it;
+}
+
+const Layer_writer* Formats::find_layer_writer(std::string_view name) const {
+  const auto it = std::ranges::find(layer_writers, name, &Layer_writer::name);
+  return it == layer_writers.end() ? nullptr : &*it;
+}
+
+const Picture_writer* Formats::find_picture_writer(std::string_view name) const {
+  const auto it = std::ranges::find(picture_writers, name, &Picture_writer::name);
+  return it == picture_writers.end() ? nullptr : &*it;
+}
+
+Formats planar_formats() {
+  Formats formats;
+  formats.readers = {
+      {"Points and disks, one per line", {"xy", "xyz", "csv", "txt"}, read_table},
+      {"POFF points and WPOFF disks", {"poff", "wpoff"}, read_poff},
+      {"WKT outlines and points", {"wkt"}, read_wkt},
+      {"SVG shapes", {"svg"}, read_svg},
+      {"GeoJSON outlines and points", {"geojson", "json"}, read_geojson},
+  };
+  formats.layer_writers = {
+      {"json", "json", "everything about a layer, losslessly; the default", write_json_layer},
+      {"csv", "csv",
+       "a table of elements: element, kind, id, coordinates x0 y0 x1 y1 (rays: start and direction; arcs: "
+       "counterclockwise from, to and center x2 y2; triangles: three corners), radius, values; polygons as ring",
+       write_csv_layer},
+      {"obj", "obj",
+       "Wavefront: points, polylines and triangles; disks as their centers, arcs as polylines, no rays, no values",
+       write_obj_layer},
+      {"ply", "ply",
+       "binary: vertices with radius, edges and triangles with their values; arcs and polygons as edges, no rays",
+       write_ply_layer},
+  };
+  formats.input_writers = {
+      {"xy", "xy", std::string(points_input.id), write_xy_points},
+      {"poff", "poff", std::string(points_input.id), write_poff_points},
+      {"wpoff", "wpoff", std::string(disks_input.id), write_wpoff_disks},
+      {"csv", "csv", std::string(disks_input.id), write_csv_disks},
+      {"wkt", "wkt", std::string(outline_input.id), write_wkt_outline},
+      {"geojson", "geojson", std::string(outline_input.id), write_geojson_outline},
+  };
+  return formats;
+}
+
+File_contents read_file(const Formats& formats, const std::filesystem::path& file) {
+  std::error_code error;
+  const Reader* reader = formats.reader_for(file);
+  if (!reader) {
+    if (!std::filesystem::is_regular_file(file, error)) load_text(file);
+    throw File_error(file, 0,
+                     "expected one of the extensions " + known_extensions(formats) + ", found " +
+                         quote(file.extension().string()) + "; rename or convert the file");
+  }
+  return reader->read(file);
+}
+
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+  const std::filesystem::path temporary = create_temporary(file);
+  std::error_code error;
+  try {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
+    stream.imbue(std::locale::classic());
+    write(stream);
+    stream.close();
+    if (!stream) throw File_error(file, 0, "expected to write the whole file, found no room for it; free disk space");
+    std::filesystem::rename(temporary, file, error);
+    if (error) {
+      throw File_error(file, 0, "expected to replace this file, found '" + error.message() + "'; choose another name");
+    }
+  } catch (...) {
+    std::filesystem::remove(temporary, error);
+    throw;
+  }
+}
+
+}  // namespace mesecina

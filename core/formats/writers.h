@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <iosfwd>
+
+#include "core/formats/format.h"
+
+namespace mesecina {
+
+/// The JSON of a layer: keys in a fixed order, an array without entries is omitted except `vertices`. Doubles are in
+/// shortest round-trip form, +infinity is "inf", not-a-number "nan". A million vertices take about half a second.
+void write_json_layer(std::ostream& stream, const Layer_document& document);
+
+/// One row per element under a header. Columns: element (its number), kind, id, x0, y0, x1, y1, then x2, y2 if the
+/// layer has arcs or triangles, radius, ring if it has polygons, and one column per value; z0, z1, z2 after their y
+/// when the layer is in space. Fields that do not apply are empty. A point or ball is at 0; a segment goes from 0 to 1;
+/// a ray starts at 0 in the direction 1; an arc goes counterclockwise from 0 to 1 around 2; a triangle has the corners
+/// 0, 1, 2; a polygon's vertices are in ring, "x y;x y;...".
+void write_csv_layer(std::ostream& stream, const Layer_document& document);
+
+/// Wavefront OBJ: v, p, l and f. A disk is its center after a comment with its radius; an arc is a polyline with at
+/// most one degree per segment; a polygon is a closed line, as OBJ has no even-odd holes; rays are left out and counted
+/// in a comment. A layer in the plane has z = 0.
+void write_obj_layer(std::ostream& stream, const Layer_document& document);
+
+/// Binary little-endian PLY. If every element is a point or ball there is one vertex per element, with the values (and
+/// the radius, 0 for points) as properties. Else every vertex of the layer is written once (with the radius of the
+/// largest ball there, 0 for none, if there are balls), triangles are faces, and segments, arcs (polylines with at most
+/// one degree per edge) and polygons (closed) are edges, both with the values of their element. Rays, and values of
+/// points and balls of such a layer, are left out and counted in a comment. The name of a value keeps only letters,
+/// digits, '-' and '_'.
+void write_ply_layer(std::ostream& stream, const Layer_document& document);
+
+/// The writers of inputs do nothing else than writing one key; without it they write the same as for an empty value.
+/// Numbers must be finite. Rings must be as the readers make them: no vertex equal to the next one around the ring and
+/// at least three that differ.
+void write_xy_points(std::ostream& stream, const Inputs& inputs);
+void write_poff_points(std::ostream& stream, const Inputs& inputs);
+void write_wpoff_disks(std::ostream& stream, const Inputs& inputs);
+void write_csv_disks(std::ostream& stream, const Inputs& inputs);
+
+/// Rings become the outer rings and holes of polygons by how they contain one another. Every ring keeps its first
+/// vertex and direction; holes are written after their outer ring. Rings that cross each other or themselves have no
+/// such nesting: each is then a polygon of its own, and readers of the even-odd rule still get the same shape.
+void write_wkt_outline(std::ostream& stream, const Inputs& inputs);
+void write_geojson_outline(std::ostream& stream, const Inputs& inputs);
+
+}  // namespace mesecina
