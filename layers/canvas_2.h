@@ -73,6 +73,9 @@ class Canvas_2 : public QWidget {
   void view_changed(const View_2& view);
   void backend_failed(const QString& reason);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

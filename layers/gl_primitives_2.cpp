@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layers/gl_primitives_2.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace mesecina {
+
+namespace {
+
+constexpr double largest_whole_reach = 131072;  // pixels; 2^17, of which a float still tells 1/128
+constexpr double window_screens = 8;
+constexpr double window_zoom_in = 8;
+constexpr double window_zoom_out = 2;
+
+/// Image data premultiplied by alpha, and averaged over squares of pixels until no side exceeds `largest`.
+std::vector<std::uint8_t> premultiplied(const Image& image, int largest, int& width, int& height) {
+  const int step = std::max(1, (std::max(image.width, image.height) + largest - 1) / largest);
+  width = (image.width + step - 1) / step;
+  height = (image.height + step - 1) / step;
+  std::vector<std::uint8_t> result;
+  result.reserve(static_cast<std::size_t>(width) * height * 4);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      std::array<std::size_t, 4> sum{};
+      std::size_t count = 0;
+      for (int v = y * step; v < std::min((y + 1) * step, image.height); ++v) {
+        for (int u = x * step; u < std::min((x + 1) * step, image.width); ++u) {
+          const std::uint8_t* p = image.rgba.data() + 4 * (static_cast<std::size_t>(v) * image.width + u);
+          for (int i = 0; i < 3; ++i) sum[i] += static_cast<std::size_t>(p[i]) * p[3];
+          sum[3] += 255 * static_cast<std::size_t>(p[3]);
+          ++count;
+        }
+      }
+      for (std::size_t s : sum) result.push_back(static_cast<std::uint8_t>((s + 127 * count) / (255 * count)));
+    }
+  }
+  return result;
+}
+
+double median_radius(const std::vector<float>& circles, int floats) {
+  std::vector<float> radii;
+  for (std::size_t i = 2; i < circles.size(); i += static_cast<std::size_t>(floats)) radii.push_back(circles[i]);
+  if (radii.empty()) return 0;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::ranges::nth_element(radii, middle);
+  return *middle;
+}
+
+bool is_convex(const Primitive_set& set, std::size_t polygon) {
+  const auto ring = set.polygon(polygon);
+  const std::size_t n = ring.size();
+  int turn = 0;
+  int sign_changes = 0;  // of the direction in x; more than two: it winds around more than once
+  double last_dx = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point_3& p = set.vertices[ring[i]];
+    const Point_3& q = set.vertices[ring[(i + 1) % n]];
+    const Point_3& r = set.vertices[ring[(i + 2) % n]];
+    const double cross = (q.x - p.x) * (r.y - q.y) - (q.y - p.y) * (r.x - q.x);
+    const int side = cross > 0 ? 1 : cross < 0 ? -1 : 0;
+    if (side != 0 && turn != 0 && side != turn) return false;
+    if (side != 0) turn = side;
+    const double dx = q.x - p.x;
+    if (dx * last_dx < 0) ++sign_changes;
+    if (dx != 0) last_dx = dx;
+  }
+  return sign_changes <= 2;
+}
+
+}  // namespace
+
+Element_numbers::Element_numbers(const std::vector<double>& values) {
+  double smallest = std::numeric_limits<double>::infinity();
+  double greatest = -smallest;
+  for (double value : values) {
+    if (!std::isnan(value)) sorted_.push_back(value);
+    if (!std::isfinite(value)) continue;
+    smallest = std::min(smallest, value);
+    greatest = std::max(greatest, value);
+  }
+  std::ranges::sort(sorted_);
+  sorted_.erase(std::ranges::unique(sorted_).begin(), sorted_.end());
+  if (smallest <= greatest) {
+    base_ = smallest;
+    const double spread = greatest - smallest;
+    // Whole numbers stay whole unless they would not be exact.
+    if (std::isfinite(spread) && spread > 0 && (spread > 1e6 || spread < 1)) unit_ = spread;
+  }
+  pairs_.reserve(2 * values.size());
+  for (double value : values) {
+    pairs_.push_back(std::isnan(value) ? 0 : shown(value));
+    pairs_.push_back(std::isnan(value) ? -1 : lowest_rank(value));
+  }
+}
+
+float Element_numbers::lowest_rank(double limit) const {
+  return static_cast<float>(std::ranges::lower_bound(sorted_, limit) - sorted_.begin());
+}
+
+float Element_numbers::highest_rank(double limit) const {
+  return static_cast<float>(std::ranges::upper_bound(sorted_, limit) - sorted_.begin()) - 1;
+}
+
+Gl_primitives::Gl_primitives(std::shared_ptr<const Primitive_set> set) : set_(set) {
+  const Box box = set->bounding_box();
+  const Point_2 middle{(box.lower.x + box.upper.x) / 2, (box.lower.y + box.upper.y) / 2};
+  if (std::isfinite(middle.x) && std::isfinite(middle.y)) origin_ = middle;
+}
+
+void Gl_primitives::upload(Gl_batch& batch) {
+  batch.geometry = Gl_buffer(batch.instances.data);
+  uploaded_bytes_ += batch.instances.data.size() * sizeof(float);
+  batch.instances.data = {};
+}
+
+Gl_primitives::Batches Gl_primitives::batches(const Primitive_set& set, Part part, const Point_2& center, double scale,
+                                              double half_diagonal) {
+  if (!has_part(set, part)) return {};
+  const auto [entry, is_new] = parts_.try_emplace(part);
+  Part_buffers& buffers = entry->second;
+  const bool are_circles = part == Part::arcs || part == Part::balls;
+  const int floats = floats_per_instance(part);
+  if (is_new) buffers.reach = farthest_reach(set, part, origin_);
+  if (buffers.reach * scale <= largest_whole_reach) {
+    if (!buffers.whole) {
+      buffers.whole.emplace();
+      buffers.whole->instances = whole_part(set, part, origin_);
+      if (are_circles) buffers.whole->typical_radius = median_radius(buffers.whole->instances.data, floats);
+      upload(*buffers.whole);
+    }
+    return {&*buffers.whole, nullptr, true};
+  }
+  const double view_reach = half_diagonal / scale;
+  const auto& window = buffers.window;
+  const bool fits = window && scale <= window->largest_scale &&
+                    scale >= window->largest_scale / (window_zoom_in * window_zoom_out) &&
+                    std::abs(center.x - window->center.x) + view_reach <= window->half_side &&
+                    std::abs(center.y - window->center.y) + view_reach <= window->half_side;
+  if (!fits) {
+    buffers.window = Window_2{center, window_screens * view_reach, window_zoom_in * scale};
+    Cut_out cut_out = cut_out_part(set, part, *buffers.window);
+    buffers.near = {};
+    buffers.far = {};
+    buffers.near.instances = std::move(cut_out.near);
+    buffers.far.instances = std::move(cut_out.far);
+    if (are_circles) buffers.near.typical_radius = median_radius(buffers.near.instances.data, floats);
+    upload(buffers.near);
+    upload(buffers.far);
+  }
+  return {&buffers.near, buffers.far.count() > 0 ? &buffers.far : nullptr, false};
+}
+
+const Element_numbers* Gl_primitives::numbers(const Primitive_set& set, const std::string& name) {
+  const auto known = numbers_.find(name);
+  if (known != numbers_.end()) return &known->second;
+  const Values* values = set.find_values(name);
+  if (!values || values->data.size() != set.element_count()) return nullptr;
+  return &numbers_.emplace(name, Element_numbers(values->data)).first->second;
+}
+
+unsigned Gl_primitives::number_buffer(const Primitive_set& set, Gl_batch& batch, const std::string& name) {
+  const auto known = batch.numbers.find(name);
+  if (known != batch.numbers.end()) return known->second.id();
+  std::vector<float> data;
+  data.reserve(2 * batch.instances.elements.size());
+  const Element_numbers* own = name.empty() ? nullptr : numbers(set, name);
+  for (std::uint32_t element : batch.instances.elements) {
+    if (own) {
+      data.push_back(own->pairs()[2 * element]);
+      data.push_back(own->pairs()[2 * element + 1]);
+    } else {
+      const Color color = hashed_color(element);
+      data.push_back(static_cast<float>((color.red << 16) + (color.green << 8) + color.blue));
+      data.push_back(0);
+    }
+  }
+  uploaded_bytes_ += data.size() * sizeof(float);
+  return batch.numbers.emplace(name, Gl_buffer(data)).first->second.id();
+}
+
+const std::vector<Polygon_run>& Gl_primitives::runs(const Primitive_set& set, Gl_batch& batch,
+                                                    const std::string& name) {
+  const auto known = batch.runs.find(name);
+  if (known != batch.runs.end()) return known->second;
+  const Values* values = name.empty() ? nullptr : set.find_values(name);
+  const auto& elements = batch.instances.elements;
+  const std::size_t first_polygon =
+      set.points.size() + set.segments.size() + set.rays.size() + set.arcs.size() + set.triangles.size();
+  const auto same_number = [&](std::uint32_t a, std::uint32_t b) {
+    if (a == b || !values) return true;
+    const double x = values->data[a];
+    const double y = values->data[b];
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  std::vector<Polygon_run> result;
+  for (std::size_t i = 0; i < elements.size();) {
+    Polygon_run run{i, 0, true};
+    bool is_single = true;
+    while (i < elements.size() && same_number(elements[run.first], elements[i])) {
+      is_single = is_single && elements[i] == elements[run.first];
+      ++i;
+    }
+    run.count = i - run.first;
+    run.is_plain = is_single && is_convex(set, elements[run.first] - first_polygon);
+    if (run.is_plain && !result.empty() && result.back().is_plain)
+      result.back().count += run.count;
+    else
+      result.push_back(run);
+  }
+  return batch.runs.emplace(name, std::move(result)).first->second;
+}
+
+const Value_range& Gl_primitives::range(const Scene_layer& layer) {
+  const Style& a = layer.style;
+  const Style& b = range_layer_.style;
+  const bool is_same = range_ && range_layer_.cut == layer.cut && a.value == b.value &&
+                       a.range_minimum == b.range_minimum && a.range_maximum == b.range_maximum &&
+                       a.threshold_minimum == b.threshold_minimum && a.threshold_maximum == b.threshold_maximum;
+  if (!is_same) {
+    range_ = value_range(layer);
+    range_layer_ = layer;
+    range_layer_.primitives.reset();
+  }
+  return *range_;
+}
+
+unsigned Gl_primitives::image(const Primitive_set& set) {
+  if (!set.image || set.image->width <= 0 || set.image->height <= 0) return 0;
+  if (!image_) {
+    int width = 0;
+    int height = 0;
+    const auto data = premultiplied(*set.image, Gl_texture::largest_side(), width, height);
+    image_ = Gl_texture::picture(width, height, data);
+    uploaded_bytes_ += data.size();
+  }
+  return image_->id();
+}
+
+}  // namespace mesecina

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/style.h"
+#include "layers/color_map.h"
+#include "layers/gl_geometry_2.h"
+#include "layers/gl_objects.h"
+
+namespace mesecina {
+
+/// Values of a Primitive_set as the shaders take them. Comparisons are done between ranks, so that they come out as
+/// they would for the doubles.
+class Element_numbers {
+ public:
+  explicit Element_numbers(const std::vector<double>& values);
+
+  /// A number as the shaders know it, in float precision relative to the spread of the values.
+  float shown(double value) const { return static_cast<float>((value - base_) / unit_); }
+  double base() const { return base_; }
+  double unit() const { return unit_; }
+  /// Ranks of the smallest value that is at least, and of the greatest that is at most, the limit.
+  float lowest_rank(double limit) const;
+  float highest_rank(double limit) const;
+  /// Number and rank of every element by turns.
+  const std::vector<float>& pairs() const { return pairs_; }
+
+ private:
+  double base_ = 0;
+  double unit_ = 1;
+  std::vector<double> sorted_;
+  std::vector<float> pairs_;
+};
+
+/// A run of polygons that are filled together.
+struct Polygon_run {
+  std::size_t first = 0;  ///< instance
+  std::size_t count = 0;
+  bool is_plain = false;  ///< no point is covered twice: no need for the stencil
+};
+
+/// A buffer with one instance per element or piece of one.
+struct Gl_batch {
+  Instances instances;  ///< `data` is emptied after the upload
+  Gl_buffer geometry;
+  double typical_radius = 0;                              ///< of circles: the median
+  std::map<std::string, Gl_buffer, std::less<>> numbers;  ///< by name of the values; "": a colour for each element
+  std::map<std::string, std::vector<Polygon_run>, std::less<>> runs;
+
+  int count() const { return static_cast<int>(instances.elements.size()); }
+};
+
+/// The buffers of one Primitive_set, each uploaded when it is first drawn.
+///
+/// A part is uploaded whole if float coordinates place it within a hundredth of a pixel. If not (a deep zoom, a far
+/// vertex, a huge circle), what meets a window of several screens around the view is cut out in double precision and
+/// uploaded, and again only when the view leaves that window.
+class Gl_primitives {
+ public:
+  explicit Gl_primitives(std::shared_ptr<const Primitive_set> set);
+
+  bool is_of(const std::shared_ptr<const Primitive_set>& set) const { return set_.lock() == set; }
+  bool is_expired() const { return set_.expired(); }
+
+  struct Batches {
+    Gl_batch* near = nullptr;
+    Gl_batch* far = nullptr;  ///< circles laid out as Cut_out::far; null when there are none
+    bool is_whole = true;
+  };
+  /// For the view: `scale` device pixels per unit and `half_diagonal` device pixels from the middle to a corner.
+  Batches batches(const Primitive_set& set, Part part, const Point_2& center, double scale, double half_diagonal);
+  /// Null when the set has no values of this name.
+  const Element_numbers* numbers(const Primitive_set& set, const std::string& name);
+  /// Numbers and ranks per instance. `name` must be of values of the set, or "" for a colour of its own each.
+  unsigned number_buffer(const Primitive_set& set, Gl_batch& batch, const std::string& name);
+  /// For a batch of polygons: those that follow each other with one number of `name` ("": all) are one run.
+  const std::vector<Polygon_run>& runs(const Primitive_set& set, Gl_batch& batch, const std::string& name);
+  /// As value_range(layer), computed again only when it may have changed.
+  const Value_range& range(const Scene_layer& layer);
+  /// 0 when there is no image.
+  unsigned image(const Primitive_set& set);
+
+  /// Since it was made.
+  std::size_t uploaded_bytes() const { return uploaded_bytes_; }
+
+ private:
+  struct Part_buffers {
+    double reach = 0;
+    std::optional<Gl_batch> whole;
+    std::optional<Window_2> window;
+    Gl_batch near;
+    Gl_batch far;
+  };
+  void upload(Gl_batch& batch);
+
+  std::weak_ptr<const Primitive_set> set_;
+  Point_2 origin_;
+  std::map<Part, Part_buffers> parts_;
+  std::map<std::string, Element_numbers, std::less<>> numbers_;
+  std::optional<Gl_texture> image_;
+  Scene_layer range_layer_;
+  std::optional<Value_range> range_;
+  std::size_t uploaded_bytes_ = 0;
+};
+
+}  // namespace mesecina

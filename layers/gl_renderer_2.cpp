@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "layers/gl_renderer_2.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "layers/color_map.h"
+#include "layers/gl_primitives_2.h"
+#include "layers/gl_shader_sources.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr Color missing_color{128, 128, 128};
+constexpr int interpolated_texels = 256;
+constexpr float no_limit = std::numeric_limits<float>::max();
+
+/// As in element.vert.
+enum class Color_rule { one_color, interpolated_map, stepped_map, classes_of_map, packed_colors };
+
+/// Attributes from this location on, of so many floats each.
+constexpr unsigned first_geometry_location = 3;
+constexpr unsigned end_of_locations = 7;
+constexpr std::array point_sizes{2};
+constexpr std::array segment_sizes{4};
+constexpr std::array circle_sizes{3, 2};
+constexpr std::array triangle_sizes{4, 2};
+constexpr std::array far_circle_sizes{4, 4, 4, 1};
+using Sizes = std::span<const int>;
+
+std::array<float, 4> to_floats(const Color& color, double alpha) {
+  return {color.red / 255.0F, color.green / 255.0F, color.blue / 255.0F, static_cast<float>(alpha)};
+}
+
+struct Color_map_texture {
+  Gl_texture texture;
+  int texels = 0;
+};
+
+Color_map_texture make_color_map_texture(const Color_map& map) {
+  const bool stepped = map.rule() == Color_map::Rule::stepped;
+  const int count = stepped ? static_cast<int>(map.stops().size()) : interpolated_texels;
+  std::vector<std::uint8_t> rgb;
+  for (int i = 0; i < count; ++i) {
+    const Color color = stepped ? map.category(i) : map.lookup(static_cast<double>(i) / (count - 1));
+    rgb.insert(rgb.end(), {color.red, color.green, color.blue});
+  }
+  return {Gl_texture::line(rgb), count};
+}
+
+}  // namespace
+
+struct Gl_renderer_2::State {
+  Gl_program points{{shaders::element_vert, shaders::point_vert}, {shaders::coverage_frag, shaders::point_frag}};
+  Gl_program segments{{shaders::element_vert, shaders::segment_vert}, {shaders::coverage_frag, shaders::segment_frag}};
+  Gl_program circles{{shaders::element_vert, shaders::circle_vert}, {shaders::coverage_frag, shaders::circle_frag}};
+  Gl_program far_circles{{shaders::element_vert, shaders::far_circle_vert},
+                         {shaders::coverage_frag, shaders::far_circle_frag}};
+  Gl_program triangles{{shaders::element_vert, shaders::triangle_vert}, {shaders::coverage_frag, shaders::flat_frag}};
+  Gl_program images{{shaders::cover_vert}, {shaders::image_frag}};
+  unsigned vertex_array = 0;
+
+  std::map<const Primitive_set*, Gl_primitives> primitives;
+  std::map<std::string, Color_map_texture, std::less<>> color_maps;
+  std::size_t other_bytes = 0;
+
+  View_2 view;
+  Frame frame;
+  double scale = 1;  ///< device pixels per unit
+
+  State() { glGenVertexArrays(1, &vertex_array); }
+  ~State() { glDeleteVertexArrays(1, &vertex_array); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  /// What a layer's shaders are told about colour and selection; names of values are empty where there are none.
+  struct Look {
+    Color_rule rule = Color_rule::one_color;
+    std::string number;     ///< values whose number chooses the colour
+    std::string threshold;  ///< values whose rank is compared with the thresholds
+    std::string cut;
+    std::array<float, 2> threshold_ranks{-no_limit, no_limit};
+    float lowest_cut_rank = -no_limit;
+    std::array<float, 2> range{0, 1};
+    std::array<float, 2> class_of_number{1, 0};
+    const Color_map_texture* map = nullptr;
+  };
+
+  Gl_primitives& primitives_of(const std::shared_ptr<const Primitive_set>& set);
+  const Color_map_texture& texture_of(const Color_map& map);
+  Look look_of(const Scene_layer& layer, Gl_primitives& buffers);
+  void draw_layer(const Scene_layer& layer);
+  void draw_image(const Image& image, unsigned texture, double opacity);
+  void draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part);
+  void draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Gl_batch& batch);
+  void begin_program(Gl_program& program, const Scene_layer& layer, const Look& look, const Gl_batch& batch);
+  void bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers, Gl_batch& batch, Sizes sizes,
+                  std::size_t first);
+};
+
+Gl_primitives& Gl_renderer_2::State::primitives_of(const std::shared_ptr<const Primitive_set>& set) {
+  const auto known = primitives.find(set.get());
+  if (known != primitives.end()) {
+    if (known->second.is_of(set)) return known->second;
+    other_bytes += known->second.uploaded_bytes();
+    primitives.erase(known);
+  }
+  return primitives.emplace(set.get(), Gl_primitives(set)).first->second;
+}
+
+const Color_map_texture& Gl_renderer_2::State::texture_of(const Color_map& map) {
+  const auto known = color_maps.find(map.name());
+  if (known != color_maps.end()) return known->second;
+  const auto made = color_maps.emplace(map.name(), make_color_map_texture(map)).first;
+  other_bytes += 3 * static_cast<std::size_t>(made->second.texels);
+  return made->second;
+}
+
+Gl_renderer_2::State::Look Gl_renderer_2::State::look_of(const Scene_layer& layer, Gl_primitives& buffers) {
+  const Primitive_set& set = *layer.primitives;
+  const Style& style = layer.style;
+  Look look;
+  if (layer.cut) {
+    if (const Element_numbers* cut = buffers.numbers(set, layer.cut->value)) {
+      look.cut = layer.cut->value;
+      look.lowest_cut_rank = cut->lowest_rank(layer.cut->minimum);
+    }
+  }
+  const Element_numbers* numbers = style.value.empty() ? nullptr : buffers.numbers(set, style.value);
+  if (!numbers) return look;
+  look.threshold = style.value;
+  if (style.threshold_minimum || style.threshold_maximum) {
+    look.threshold_ranks[0] = style.threshold_minimum ? numbers->lowest_rank(*style.threshold_minimum) : 0;
+    if (style.threshold_maximum) look.threshold_ranks[1] = numbers->highest_rank(*style.threshold_maximum);
+  }
+  const Color_map* map = find_color_map(style.color_map);
+  if (!map || map->rule() == Color_map::Rule::solid) return look;
+  if (map->rule() == Color_map::Rule::hashed) {
+    look.rule = Color_rule::packed_colors;
+    return look;
+  }
+  const Value_range& range = buffers.range(layer);
+  look.number = style.value;
+  look.map = &texture_of(*map);
+  look.range = {numbers->shown(range.minimum), numbers->shown(range.maximum)};
+  look.rule = Color_rule::interpolated_map;
+  if (map->rule() == Color_map::Rule::stepped) {
+    look.rule = range.whole_numbers ? Color_rule::classes_of_map : Color_rule::stepped_map;
+    const double count = look.map->texels;
+    double class_of_base = std::fmod(std::round(numbers->base()), count);
+    if (class_of_base < 0) class_of_base += count;
+    look.class_of_number = {static_cast<float>(numbers->unit()), static_cast<float>(class_of_base)};
+  }
+  return look;
+}
+
+void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer& layer, const Look& look,
+                                         const Gl_batch& batch) {
+  const Style& style = layer.style;
+  const Point_2& origin = batch.instances.origin;
+  program.use();
+  program.set("half_size", std::array{frame.width / 2.0F, frame.height / 2.0F});
+  program.set("scale", static_cast<float>(scale));
+  program.set("offset", std::array{static_cast<float>((origin.x - view.center.x) * scale),
+                                   static_cast<float>((origin.y - view.center.y) * scale)});
+  program.set("threshold_ranks", look.threshold_ranks);
+  program.set("lowest_cut_rank", look.lowest_cut_rank);
+  program.set("color_rule", static_cast<int>(look.rule));
+  program.set("color", to_floats(style.color, style.opacity));
+  program.set("missing_color", to_floats(missing_color, style.opacity));
+  program.set("range", look.range);
+  program.set("reversed", style.color_map_reversed);
+  program.set("texels", look.map ? look.map->texels : 2);
+  program.set("class_of_number", look.class_of_number);
+  program.set("color_map", 0);
+  program.set("filled", style.filled);
+  program.set("half_width", static_cast<float>(style.line_width * frame.pixel_ratio / 2));
+  program.set("point_radius", static_cast<float>(style.point_size * frame.pixel_ratio / 2));
+  program.set("flat_ends", style.opacity < 1);
+  glBindTexture(GL_TEXTURE_1D, look.map ? look.map->texture.id() : 0);
+}
+
+void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers,
+                                      Gl_batch& batch, Sizes sizes, std::size_t first) {
+  const auto attribute = [](unsigned location, unsigned buffer, int size, int stride, std::size_t offset) {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glEnableVertexAttribArray(location);
+    // OpenGL takes an offset in the guise of a pointer.
+    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, stride * static_cast<int>(sizeof(float)),
+                          reinterpret_cast<const void*>(offset * sizeof(float)));
+    glVertexAttribDivisor(location, 1);
+  };
+  const auto scalar = [&](unsigned location, bool used, const std::string& name, std::size_t place) {
+    if (used) {
+      attribute(location, buffers.number_buffer(set, batch, name), 1, 2, 2 * first + place);
+    } else {
+      glDisableVertexAttribArray(location);
+      glVertexAttrib1f(location, 0);
+    }
+  };
+  scalar(0, look.rule != Color_rule::one_color, look.number, 0);
+  scalar(1, !look.threshold.empty(), look.threshold, 1);
+  scalar(2, !look.cut.empty(), look.cut, 1);
+  int stride = 0;
+  for (int size : sizes) stride += size;
+  std::size_t offset = first * static_cast<std::size_t>(stride);
+  unsigned location = first_geometry_location;
+  for (int size : sizes) {
+    attribute(location++, batch.geometry.id(), size, stride, offset);
+    offset += static_cast<std::size_t>(size);
+  }
+  for (; location < end_of_locations; ++location) glDisableVertexAttribArray(location);
+}
+
+void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers,
+                                         Gl_batch& batch) {
+  const Primitive_set& set = *layer.primitives;
+  begin_program(triangles, layer, look, batch);
+  const auto& runs = buffers.runs(set, batch, look.number);
+  for (const Polygon_run& run : runs) {
+    bind_batch(set, look, buffers, batch, triangle_sizes, run.first);
+    const auto draw = [&] { glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<int>(run.count)); };
+    if (run.is_plain) {
+      draw();
+      continue;
+    }
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(1);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glStencilFunc(GL_ALWAYS, 0, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+    draw();
+    // The first triangle over a sample inside paints it and wipes the mark, so that none is painted twice.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilFunc(GL_EQUAL, 1, 1);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    draw();
+    glDisable(GL_STENCIL_TEST);
+  }
+}
+
+void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part) {
+  const Primitive_set& set = *layer.primitives;
+  const double half_diagonal =
+      std::hypot(frame.width, frame.height) / 2 + (layer.style.line_width + layer.style.point_size) * frame.pixel_ratio;
+  const auto [near, far, is_whole] = buffers.batches(set, part, view.center, scale, half_diagonal);
+  const auto draw = [&](Gl_program& program, Gl_batch& batch, Sizes sizes, unsigned mode, int vertices) {
+    bind_batch(set, look, buffers, batch, sizes, 0);
+    program.set("pieces", vertices / 2 - 1);
+    glDrawArraysInstanced(mode, 0, vertices, batch.count());
+  };
+  if (near && near->count() > 0) {
+    switch (part) {
+      case Part::points:
+        begin_program(points, layer, look, *near);
+        draw(points, *near, point_sizes, GL_TRIANGLE_STRIP, 4);
+        break;
+      case Part::segments:
+      case Part::triangle_edges:
+      case Part::polygon_edges:
+      case Part::rays:
+        begin_program(segments, layer, look, *near);
+        segments.set("is_ray", part == Part::rays && is_whole);
+        draw(segments, *near, segment_sizes, GL_TRIANGLE_STRIP, 4);
+        break;
+      case Part::arcs:
+      case Part::balls: {
+        begin_program(circles, layer, look, *near);
+        if (part == Part::arcs) circles.set("filled", false);
+        // The corners of a strip of n pieces stand out from the circle by about r (pi / n)^2 / 2.
+        const double radius = near->typical_radius * scale;
+        const int pieces = std::clamp(static_cast<int>(std::ceil(1.6 * std::sqrt(radius))), 6, 64);
+        draw(circles, *near, circle_sizes, GL_TRIANGLE_STRIP, 2 * pieces + 2);
+        break;
+      }
+      case Part::triangles:
+        begin_program(triangles, layer, look, *near);
+        draw(triangles, *near, triangle_sizes, GL_TRIANGLES, 3);
+        break;
+      case Part::polygons:
+        draw_polygons(layer, look, buffers, *near);
+        break;
+    }
+  }
+  if (far) {
+    begin_program(far_circles, layer, look, *far);
+    if (part == Part::arcs) far_circles.set("filled", false);
+    constexpr int pieces = 32;
+    draw(far_circles, *far, far_circle_sizes, GL_TRIANGLE_STRIP, 2 * pieces + 2);
+  }
+}
+
+void Gl_renderer_2::State::draw_image(const Image& image, unsigned texture, double opacity) {
+  // Only the visible part, computed in double: at a deep zoom a corner may be 1e9 pixels away.
+  const auto visible = [](double low, double size, double half) {
+    const double first = std::clamp(-half, low, low + size);
+    const double last = std::clamp(half, low, low + size);
+    return std::array{first / half, last / half, (first - low) / size, (last - low) / size};
+  };
+  const double pixel = image.pixel_size * scale;
+  const auto [left, right, u0, u1] =
+      visible((image.lower_left.x - view.center.x) * scale, pixel * image.width, frame.width / 2.0);
+  const auto [bottom, top, v0, v1] =
+      visible((image.lower_left.y - view.center.y) * scale, pixel * image.height, frame.height / 2.0);
+  if (!(left < right && bottom < top)) return;
+  const auto four = [](double a, double b, double c, double d) {
+    return std::array{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), static_cast<float>(d)};
+  };
+  images.use();
+  images.set("rectangle", four(left, bottom, right, top));
+  images.set("texture_rectangle", four(u0, 1 - v0, u1, 1 - v1));
+  images.set("color", four(0, 0, 0, opacity));
+  images.set("image", 0);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  for (unsigned location = 0; location < end_of_locations; ++location) glDisableVertexAttribArray(location);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void Gl_renderer_2::State::draw_layer(const Scene_layer& layer) {
+  const Style& style = layer.style;
+  if (!style.visible || style.opacity <= 0 || !layer.primitives || layer.primitives->is_empty()) return;
+  const Primitive_set& set = *layer.primitives;
+  Gl_primitives& buffers = primitives_of(layer.primitives);
+  if (const unsigned texture = buffers.image(set)) draw_image(*set.image, texture, style.opacity);
+  const Look look = look_of(layer, buffers);
+  const Part polygon_part = style.filled ? Part::polygons : Part::polygon_edges;
+  const Part triangle_part = style.filled ? Part::triangles : Part::triangle_edges;
+  for (Part part : {Part::balls, polygon_part, triangle_part, Part::arcs, Part::rays, Part::segments, Part::points})
+    draw_part(layer, look, buffers, part);
+}
+
+Gl_renderer_2::Gl_renderer_2() {
+  if (epoxy_gl_version() < 33) {
+    const int version = epoxy_gl_version();
+    throw std::runtime_error("OpenGL is " + std::to_string(version / 10) + "." + std::to_string(version % 10) +
+                             ", 3.3 is needed");
+  }
+  state_ = std::make_unique<State>();
+}
+
+Gl_renderer_2::~Gl_renderer_2() = default;
+
+void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_2& view,
+                         const Frame& frame) {
+  State& s = *state_;
+  s.view = view;
+  s.frame = frame;
+  s.scale = view.scale * frame.pixel_ratio;
+  std::erase_if(s.primitives, [&](const auto& entry) {
+    if (!entry.second.is_expired()) return false;
+    s.other_bytes += entry.second.uploaded_bytes();
+    return true;
+  });
+
+  glViewport(0, 0, frame.width, frame.height);
+  glBindVertexArray(s.vertex_array);
+  glActiveTexture(GL_TEXTURE0);
+  glEnable(GL_MULTISAMPLE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (unsigned feature : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) glDisable(feature);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glStencilMask(~0U);
+  glClearStencil(0);
+  const float alpha = scene.transparent_background ? 0 : 1;
+  const Color& ground = scene.background;
+  glClearColor(alpha * ground.red / 255.0F, alpha * ground.green / 255.0F, alpha * ground.blue / 255.0F, alpha);
+  glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+
+  for (const Scene_layer& layer : scene.layers) s.draw_layer(layer);
+  for (const Scene_layer& layer : overlay) s.draw_layer(layer);
+
+  glDisable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ZERO);
+  glStencilMask(~0U);
+  glStencilFunc(GL_ALWAYS, 0, ~0U);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glBindTexture(GL_TEXTURE_1D, 0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+std::size_t Gl_renderer_2::uploaded_bytes() const {
+  std::size_t sum = state_->other_bytes;
+  for (const auto& [set, buffers] : state_->primitives) sum += buffers.uploaded_bytes();
+  return sum;
+}
+
+std::string Gl_renderer_2::description() const {
+  const int version = epoxy_gl_version();
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return "OpenGL " + std::to_string(version / 10) + "." + std::to_string(version % 10) + " (" +
+         (renderer ? renderer : "unknown") + ")";
+}
+
+}  // namespace mesecina
