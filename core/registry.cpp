@@ -66,7 +66,9 @@ const Module_spec* Registry::module_of(std::string_view id) const {
 
 std::optional<Cut> Registry::cut(const Layer_spec& layer, const Settings& settings) const {
   if (layer.cut_setting.empty()) return std::nullopt;
-  return Cut{layer.cut_value, as_number(value(settings, layer.cut_setting))};
+  const bool is_switched = !layer.cut_switch.empty() && std::get<bool>(value(settings, layer.cut_switch));
+  return Cut{is_switched ? layer.cut_value_when_switched : layer.cut_value,
+             as_number(value(settings, layer.cut_setting))};
 }
 
 const Setting_value& Registry::value(const Settings& settings, std::string_view id) const {

@@ -58,6 +58,9 @@ struct Layer_spec {
   /// Optional: the value and setting by which elements belong to the layer. The setting's own number is the limit.
   std::string cut_value;
   std::string cut_setting;
+  /// Optional: while this boolean setting is true the cut goes by `cut_value_when_switched` instead.
+  std::string cut_switch;
+  std::string cut_value_when_switched;
   /// Optional: facts of one element beyond its number and values, and what to highlight with it.
   std::function<Element_description(Context&, std::size_t element)> describe;
 };

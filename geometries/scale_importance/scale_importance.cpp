@@ -29,6 +29,14 @@ struct Disk {
   double radius;
 };
 
+double quotient(const Disk& disk, const Disk& larger) {
+  const double growth = larger.radius - disk.radius;
+  if (!(growth > 0)) return infinity;
+  const double dx = larger.x - disk.x;
+  const double dy = larger.y - disk.y;
+  return std::sqrt(dx * dx + dy * dy) / growth;
+}
+
 /// Bounding volume of disks whose centers lie near a line and whose radii change nearly linearly along it, as those of
 /// neighbours on a medial axis do: centers within an oriented rectangle, radius at most peak + slope t at coordinate t
 /// along it.
@@ -181,13 +189,12 @@ class Hierarchy {
   }
 
   const std::vector<int>& order() const { return order_; }
-  const Disk& disk(std::size_t position) const { return disks_[position]; }
 
-  /// Lowers `best` to the importance of the disk at `position`; `candidate`, when not -1, is the position of a likely
-  /// minimum, and is set to the one found.
-  double importance(std::size_t position, double best, int& candidate) const {
+  /// The importance of the disk at `position`. `candidate`, when not -1, is the position of a likely witness; it is set
+  /// to the one found, and left alone if there is none.
+  double importance(std::size_t position, int& candidate) const {
     const Disk& disk = disks_[position];
-    if (candidate >= 0) best = std::min(best, quotient(disk, disks_[candidate]));
+    double best = candidate >= 0 ? quotient(disk, disks_[candidate]) : infinity;
     double squared_best = best * best;
 
     struct Visit {
@@ -230,45 +237,98 @@ class Hierarchy {
     return best;
   }
 
-  static double quotient(const Disk& disk, const Disk& larger) {
-    const double growth = larger.radius - disk.radius;
-    if (!(growth > 0)) return infinity;
-    const double dx = larger.x - disk.x;
-    const double dy = larger.y - disk.y;
-    return std::sqrt(dx * dx + dy * dy) / growth;
-  }
-
  private:
   std::vector<int> order_;  ///< per position the index of the disk
   std::vector<Disk> disks_;
   std::vector<std::vector<Node>> levels_;
 };
 
-}  // namespace
-
-std::vector<double> scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
-                                     std::span<const int> hints, Progress& progress) {
-  std::vector<double> importance(centers.size(), infinity);
-  if (centers.empty()) return importance;
+/// Values and witnesses of the disks named by `wanted`, written into `result`.
+void search(std::span<const Point_2> centers, std::span<const double> radii, std::span<const std::uint8_t> wanted,
+            Scale_importance& result, Progress& progress) {
   const Hierarchy hierarchy(centers, radii, progress);
   const auto& order = hierarchy.order();
-
   constexpr std::size_t block = 512;
-  const std::size_t blocks = (order.size() + block - 1) / block;
-  parallel_blocks(blocks, progress, [&](std::size_t b) {
+  parallel_blocks((order.size() + block - 1) / block, progress, [&](std::size_t b) {
+    // Neighbours in the order often share their witness, which makes a good start.
     int candidate = -1;
     const std::size_t end = std::min(order.size(), (b + 1) * block);
     for (std::size_t position = b * block; position < end; ++position) {
       const int index = order[position];
-      double best = infinity;
-      if (!hints.empty() && hints[index] >= 0) {
-        const int hint = hints[index];
-        best = Hierarchy::quotient(hierarchy.disk(position), {centers[hint].x, centers[hint].y, radii[hint]});
-      }
-      importance[index] = hierarchy.importance(position, best, candidate);
+      if (!wanted.empty() && !wanted[index]) continue;
+      result.values[index] = hierarchy.importance(position, candidate);
+      result.witnesses[index] = result.values[index] < infinity ? order[candidate] : -1;
     }
   });
-  return importance;
+}
+
+}  // namespace
+
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
+  Scale_importance result{std::vector<double>(centers.size(), infinity), std::vector<int>(centers.size(), -1)};
+  if (!centers.empty()) search(centers, radii, {}, result, progress);
+  return result;
+}
+
+Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
+                                         std::span<const Point_2> centers, std::span<const double> radii,
+                                         Progress& progress) {
+  const std::size_t count = centers.size();
+  std::vector<int> new_index(old.values.size(), -1);
+  std::vector<int> added;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (old_index[i] >= 0) {
+      new_index[old_index[i]] = static_cast<int>(i);
+    } else {
+      added.push_back(static_cast<int>(i));
+    }
+  }
+  constexpr std::size_t most_added = 64;
+  if (added.size() > most_added) return scale_importance(centers, radii, progress);
+
+  Scale_importance result{std::vector<double>(count, infinity), std::vector<int>(count, -1)};
+  std::vector<std::uint8_t> wanted(count, 0);
+  std::size_t wanted_count = 0;
+  const auto disk = [&](int i) { return Disk{centers[i].x, centers[i].y, radii[i]}; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const int before = old_index[i];
+    const int witness = before < 0 ? -1 : old.witnesses[before];
+    if (before < 0 || (witness >= 0 && new_index[witness] < 0)) {
+      wanted[i] = 1;
+      ++wanted_count;
+      continue;
+    }
+    result.values[i] = before < 0 ? infinity : old.values[before];
+    result.witnesses[i] = witness < 0 ? -1 : new_index[witness];
+    const Disk self = disk(static_cast<int>(i));
+    for (const int a : added) {
+      const double value = quotient(self, disk(a));
+      if (value < result.values[i]) {
+        result.values[i] = value;
+        result.witnesses[i] = a;
+      }
+    }
+  }
+  // A hierarchy pays only for many searches; a few disks are compared with all.
+  constexpr std::size_t few = 48;
+  if (wanted_count > few) {
+    search(centers, radii, wanted, result, progress);
+    return result;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!wanted[i]) continue;
+    progress.check();
+    const Disk self = disk(static_cast<int>(i));
+    for (std::size_t other = 0; other < count; ++other) {
+      if (!(radii[other] > self.radius)) continue;
+      const double value = quotient(self, disk(static_cast<int>(other)));
+      if (value < result.values[i]) {
+        result.values[i] = value;
+        result.witnesses[i] = static_cast<int>(other);
+      }
+    }
+  }
+  return result;
 }
 
 }  // namespace mesecina

@@ -12,11 +12,20 @@ namespace mesecina {
 /// Per disk B the factor at which a single larger disk covers it when all grow together:
 /// s(B) = min over B' with r' > r of d(c, c') / (r' - r); +infinity for the largest.
 /// [B. Miklos: The Scale Axis Transform, 2010, section 6.2]
-///
+struct Scale_importance {
+  std::vector<double> values;
+  std::vector<int> witnesses;  ///< per disk an index B' that attains the minimum; -1 where there is none
+};
+
 /// By a bounding volume hierarchy over (center, radius); near-linear in practice. Radii must be finite and >= 0.
-/// Same result for every number of threads. `hints`, when not empty, holds per disk the index of another that is likely
-/// to give a small value (any index is allowed; -1 for none): it only saves time.
-std::vector<double> scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
-                                     std::span<const int> hints, Progress& progress);
+/// Each value is the least of the quotients as rounded, so it is the same for every number of threads and search order.
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress);
+
+/// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged; -1
+/// for a new one. `old` is what scale_importance returned for the old disks. Equal values to those of a full
+/// computation. O(n) for a few exchanged disks.
+Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
+                                         std::span<const Point_2> centers, std::span<const double> radii,
+                                         Progress& progress);
 
 }  // namespace mesecina

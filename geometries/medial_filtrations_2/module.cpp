@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/medial_filtrations_2/module.h"
+
+#include <limits>
+
+#include "core/graph.h"
+#include "geometries/delaunay_2/module.h"
+#include "geometries/filtration/filtration.h"
+#include "geometries/primitives_2.h"
+#include "geometries/scale_importance/scale_importance.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Scale importance of the medial balls with the balls it belongs to, to be updated when a few of them change.
+struct Ball_scale_2 {
+  std::vector<Point_2> centers;
+  std::vector<double> radii;
+  std::vector<int> triangles;
+  Scale_importance importance;
+};
+constexpr Key<Ball_scale_2> ball_scale_2_key{"ball-scale-2"};
+
+Ball_scale_2 compute_ball_scale(Context& context) {
+  const auto axis = context.get(medial_axis_2_key);
+  return {axis->centers, axis->radii, axis->triangles,
+          scale_importance(axis->centers, axis->radii, context.progress())};
+}
+
+std::shared_ptr<Ball_scale_2> update_ball_scale(Context& context, const std::shared_ptr<Ball_scale_2>& previous) {
+  const auto axis = context.get(medial_axis_2_key);
+  // A ball is the same if it belongs to the same triangle and has the same place and size.
+  std::vector<int> ball_of_triangle;
+  for (std::size_t b = 0; b < previous->triangles.size(); ++b) {
+    const auto t = static_cast<std::size_t>(previous->triangles[b]);
+    if (t >= ball_of_triangle.size()) ball_of_triangle.resize(t + 1, -1);
+    ball_of_triangle[t] = static_cast<int>(b);
+  }
+  std::vector<int> old_index(axis->centers.size(), -1);
+  for (std::size_t b = 0; b < old_index.size(); ++b) {
+    const auto t = static_cast<std::size_t>(axis->triangles[b]);
+    const int old = t < ball_of_triangle.size() ? ball_of_triangle[t] : -1;
+    if (old >= 0 && previous->centers[old] == axis->centers[b] && previous->radii[old] == axis->radii[b])
+      old_index[b] = old;
+  }
+  return std::make_shared<Ball_scale_2>(Ball_scale_2{
+      axis->centers, axis->radii, axis->triangles,
+      update_scale_importance(previous->importance, old_index, axis->centers, axis->radii, context.progress())});
+}
+
+Importance_2 compute_scale(Context& context) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto balls = context.get(ball_scale_2_key);
+  Importance_2 importance;
+  importance.balls = balls->importance.values;
+  importance.edges.reserve(axis->edges.size());
+  for (const auto& [a, b] : axis->edges) importance.edges.push_back(std::min(importance.balls[a], importance.balls[b]));
+  return importance;
+}
+
+/// One way to measure the importance of the parts of the axis; all else is the same for all of them.
+struct Measure {
+  std::string name;
+  std::string label;
+  std::string unit;
+  Key<Importance_2> importance;
+  Key<Importance_2> monotone;
+  std::string_view limit;
+  std::string definition;
+  Color color;
+};
+
+std::string monotone_name(const Measure& measure) { return measure.name + "-monotone"; }
+
+Importance_2 compute_monotone(Context& context, const Measure& measure) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto importance = context.get(measure.importance);
+  Importance_2 result;
+  result.edges = topology_preserving(axis->centers.size(), axis->edges, importance->edges, context.progress());
+  // A ball without edges is a component of its own: it stays whatever the limit.
+  result.balls = largest_of_edges(axis->centers.size(), axis->edges, result.edges, infinity);
+  return result;
+}
+
+Primitive_set filtered_axis_layer(Context& context, const Measure& measure) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto plain = context.get(measure.importance);
+  const auto monotone = context.get(measure.monotone);
+  std::vector<int> isolated;
+  Primitive_set set = axis_primitives(*axis, isolated);
+  const auto add_values = [&](std::string name, const Importance_2& importance) {
+    Values values{std::move(name), measure.unit, {}};
+    values.data.reserve(set.element_count());
+    for (const int ball : isolated) values.data.push_back(importance.balls[ball]);
+    values.data.insert(values.data.end(), importance.edges.begin(), importance.edges.end());
+    set.values.push_back(std::move(values));
+  };
+  add_values(measure.name, *plain);
+  add_values(monotone_name(measure), *monotone);
+  return set;
+}
+
+/// Disks carry the largest value of their edges, so that the limit keeps exactly the disks at the ends of kept edges.
+Primitive_set filtered_disk_layer(Context& context, const Measure& measure) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto plain = context.get(measure.importance);
+  const auto monotone = context.get(measure.monotone);
+  Primitive_set set;
+  set.vertices = lifted(axis->centers);
+  set.balls.reserve(axis->centers.size());
+  for (std::size_t b = 0; b < axis->centers.size(); ++b) set.balls.push_back({static_cast<int>(b), axis->radii[b]});
+  std::vector<double> largest = largest_of_edges(axis->centers.size(), axis->edges, plain->edges, -infinity);
+  for (std::size_t b = 0; b < largest.size(); ++b)
+    if (largest[b] == -infinity) largest[b] = plain->balls[b];
+  set.values.push_back({measure.name, measure.unit, std::move(largest)});
+  set.values.push_back({monotone_name(measure), measure.unit, monotone->balls});
+  set.values.push_back({"radius", "units of the input", axis->radii});
+  return set;
+}
+
+Element_description describe_medial_disk(Context& context, std::size_t element) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto triangulation = context.get(delaunay_2_key);
+  Element_description description;
+  if (element >= axis->centers.size()) return description;
+  description.facts.push_back(fact("center", axis->centers[element]));
+  for (const int corner : triangulation->triangles[axis->triangles[element]])
+    add_point(description.dual, triangulation->points[corner]);
+  description.dual.triangles.push_back({0, 1, 2});
+  return description;
+}
+
+void add_measure(Registry& registry, const Measure& measure) {
+  registry.add_structure<Importance_2>(measure.monotone,
+                                       [measure](Context& context) { return compute_monotone(context, measure); });
+  const auto add_cut = [&](Layer_spec& layer) {
+    layer.cut_value = measure.name;
+    layer.cut_setting = measure.limit;
+    layer.cut_switch = topology_preserving_setting.id;
+    layer.cut_value_when_switched = monotone_name(measure);
+  };
+  {
+    Layer_spec layer;
+    layer.id = measure.name + "-medial-axis-disks";
+    layer.label = measure.label + ": medial disks";
+    layer.stage = "Filtration";
+    layer.help =
+        "The medial disks at the kept parts of the medial axis filtered by " + measure.name + ". " + measure.definition;
+    layer.style = look(measure.color, 1);
+    layer.style.opacity = 0.5;
+    layer.build = [measure](Context& context) { return filtered_disk_layer(context, measure); };
+    layer.describe = describe_medial_disk;
+    add_cut(layer);
+    registry.add_layer(std::move(layer));
+  }
+  {
+    Layer_spec layer;
+    layer.id = measure.name + "-medial-axis";
+    layer.label = measure.label;
+    layer.stage = "Filtration";
+    layer.help = "The parts of the medial axis whose " + measure.name + " reaches " + std::string(measure.limit) +
+                 "; with topology-preserving only ends are shortened. " + measure.definition;
+    layer.style = look(measure.color, 2.5);
+    layer.build = [measure](Context& context) { return filtered_axis_layer(context, measure); };
+    layer.describe = describe_axis_element;
+    add_cut(layer);
+    registry.add_layer(std::move(layer));
+  }
+}
+
+void add_limit(Registry& registry, std::string_view id, std::string label, std::string help, std::string unit,
+               double default_value, double minimum, double maximum) {
+  Setting_spec setting;
+  setting.id = id;
+  setting.label = std::move(label);
+  setting.help = std::move(help);
+  setting.unit = std::move(unit);
+  setting.default_value = default_value;
+  setting.minimum = minimum;
+  setting.maximum = maximum;
+  setting.tags = {"filtration", "threshold"};
+  registry.add_setting(std::move(setting));
+}
+
+}  // namespace
+
+void register_medial_filtrations_2(Registry& registry) {
+  registry.begin_module({"medial-filtrations-2", "Filtrations of the medial axis",
+                         "What is left of the medial axis when unimportant parts are removed."});
+  {
+    Setting_spec setting;
+    setting.id = topology_preserving_setting.id;
+    setting.label = "Preserve topology";
+    setting.help =
+        "On: a part goes only when all beyond it has gone, so no component falls apart, no cycle opens and none "
+        "vanishes. "
+        "Off: a plain threshold. [B. Miklos: The Scale Axis Transform, 2010, sections 5.1 and 6.2]";
+    setting.default_value = true;
+    setting.tags = {"filtration"};
+    registry.add_setting(std::move(setting));
+  }
+  add_limit(
+      registry, lambda_limit_setting.id, "Lambda limit",
+      "Keeps what has at least this lambda: half the distance of the contact points. 0 keeps all; a hundredth of the "
+      "diagonal removes fine detail. [F. Chazal, A. Lieutier: The lambda-medial axis, 2005]",
+      "units of the input", 0, 0, infinity);
+  add_limit(
+      registry, angle_limit_setting.id, "Angle limit",
+      "Keeps what has at least this contact angle: under which its contact points are seen from the axis. 0 keeps all, "
+      "180 only what runs between parallel sides. [M. Foskey, M. Lin, D. Manocha: Efficient computation of a "
+      "simplified medial axis, 2003]",
+      "degrees", 60, 0, 180);
+  add_limit(
+      registry, scale_limit_setting.id, "Scale limit",
+      "Keeps what no larger medial disk covers when all disks have grown by this factor. 1 keeps all; 1.1 to 1.5 are "
+      "usual. [B. Miklos: The Scale Axis Transform, 2010, section 6.2]",
+      "factor", 1.1, 1, infinity);
+
+  registry.add_structure<Ball_scale_2>(ball_scale_2_key, compute_ball_scale, update_ball_scale);
+  registry.add_structure<Importance_2>(scale_2_key, compute_scale);
+
+  add_measure(registry, {"lambda",
+                         "Lambda medial axis",
+                         "units of the input",
+                         lambda_2_key,
+                         {"lambda-monotone-2"},
+                         lambda_limit_setting.id,
+                         "Lambda is half the distance of the contact points. [F. Chazal, A. Lieutier 2005]",
+                         {70, 120, 40}});
+  add_measure(registry, {"angle",
+                         "Angle medial axis",
+                         "degrees",
+                         angle_2_key,
+                         {"angle-monotone-2"},
+                         angle_limit_setting.id,
+                         "The angle is that under which the contact points are seen, at its largest along an edge. "
+                         "[M. Foskey, M. Lin, D. Manocha 2003]",
+                         {130, 80, 180}});
+  add_measure(registry,
+              {"scale",
+               "Scale medial axis",
+               "factor",
+               scale_2_key,
+               {"scale-monotone-2"},
+               scale_limit_setting.id,
+               "The scale of a medial disk is the factor at which a single larger one covers it when all grow: the "
+               "least d(c, c') / (r' - r). [B. Miklos: The Scale Axis Transform, 2010, section 6.2]",
+               {215, 90, 20}});
+}
+
+}  // namespace mesecina

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/registry.h"
+#include "geometries/medial_axis_2/module.h"
+
+namespace mesecina {
+
+inline constexpr Setting<double> lambda_limit_setting{"lambda-limit"};
+inline constexpr Setting<double> angle_limit_setting{"angle-limit"};
+inline constexpr Setting<double> scale_limit_setting{"scale-limit"};
+inline constexpr Setting<bool> topology_preserving_setting{"topology-preserving"};
+
+inline constexpr Key<Importance_2> scale_2_key{"scale-importance-2"};
+
+/// Filtrations of the medial axis by lambda, contact angle and scale, plain and topology preserving.
+void register_medial_filtrations_2(Registry& registry);
+
+}  // namespace mesecina

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/samples_2/module.h"
+
+#include <limits>
+
+#include "core/graph.h"
+
+namespace mesecina {
+
+void register_samples_2(Registry& registry) {
+  registry.begin_module({"samples-2", "Sampling", "Points that stand for the shape."});
+  {
+    Setting_spec setting;
+    setting.id = sampling_step_setting.id;
+    setting.label = "Sampling step";
+    setting.help =
+        "Longest piece into which the segments of an outline are cut, as a fraction of the diagonal of its bounding "
+        "box. "
+        "Smaller: the medial axis follows the outline more closely and takes longer. 0: the vertices alone.";
+    setting.unit = "fraction of the diagonal";
+    setting.default_value = 0.005;
+    setting.minimum = 0;
+    setting.maximum = 1;
+    setting.tags = {"outline", "density"};
+    registry.add_setting(std::move(setting));
+  }
+  registry.add_structure<Samples_2>(samples_2_key, [](Context& context) {
+    Samples_2 samples;
+    if (const auto points = context.input(points_input)) samples.points = *points;
+    const auto outline = context.input(outline_input);
+    if (outline && !outline->rings.empty()) {
+      const double step = context.setting(sampling_step_setting) * diagonal(*outline);
+      std::vector<Point_2> along = sample_outline(*outline, step > 0 ? step : std::numeric_limits<double>::infinity());
+      if (samples.points.empty()) samples.outline = outline;
+      samples.points.insert(samples.points.end(), along.begin(), along.end());
+    }
+    if (samples.points.empty())
+      throw Unavailable("there is nothing to sample: draw, generate or open points or an outline");
+    return samples;
+  });
+}
+
+}  // namespace mesecina
