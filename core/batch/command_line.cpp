@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/formats/number.h"
+
+namespace mesecina {
+
+namespace {
+
+/// Wrong usage, in one line.
+class Usage_error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+[[noreturn]] void refuse_unknown(const std::string& kind, const std::string& name,
+                                 const std::vector<std::string>& known) {
+  const std::string suggestion = nearest_name(name, known);
+  throw Usage_error(
+      "unknown " + kind + " '" + name + "'" +
+      (suggestion.empty() ? "; --list " + kind + "s shows them all" : "; did you mean '" + suggestion + "'?"));
+}
+
+std::vector<std::string> layer_ids(const Registry& registry) {
+  std::vector<std::string> ids;
+  for (const Layer_spec& layer : registry.layers()) ids.push_back(layer.id);
+  return ids;
+}
+
+std::vector<std::string> setting_ids(const Registry& registry) {
+  std::vector<std::string> ids;
+  for (const Setting_spec& setting : registry.settings()) ids.push_back(setting.id);
+  return ids;
+}
+
+std::vector<std::string> output_formats(const Formats& formats) {
+  std::vector<std::string> names;
+  for (const Layer_writer& writer : formats.layer_writers) names.push_back(writer.name);
+  for (const Picture_writer& writer : formats.picture_writers) names.push_back(writer.name);
+  return names;
+}
+
+void check_names(const std::string& kind, const std::vector<std::string>& names,
+                 const std::vector<std::string>& known) {
+  for (const std::string& name : names)
+    if (std::ranges::find(known, name) == known.end()) refuse_unknown(kind, name, known);
+}
+
+Settings read_settings(const std::vector<std::string>& assignments, const Registry& registry) {
+  Settings settings;
+  for (const std::string& assignment : assignments) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos)
+      throw Usage_error("--set " + assignment + ": expected ID=VALUE; --list settings shows the ids");
+    const std::string id = assignment.substr(0, equals);
+    const Setting_spec* spec = registry.find_setting(id);
+    if (!spec) refuse_unknown("setting", id, setting_ids(registry));
+    try {
+      settings = settings.with(id, parse_setting(*spec, assignment.substr(equals + 1)));
+    } catch (const std::invalid_argument& error) {
+      throw Usage_error(error.what());
+    }
+  }
+  return settings;
+}
+
+std::pair<int, int> read_size(const std::string& text) {
+  const auto cross = text.find('x');
+  const auto width = parse_number(text.substr(0, cross));
+  const auto height = cross == std::string::npos ? std::nullopt : parse_number(text.substr(cross + 1));
+  constexpr double most_pixels = 32768;
+  const auto is_good = [](const std::optional<double>& n) {
+    return n && *n >= 1 && *n <= most_pixels && *n == static_cast<int>(*n);
+  };
+  if (!is_good(width) || !is_good(height))
+    throw Usage_error("--size: expected WIDTHxHEIGHT with numbers from 1 to 32768, found '" + text + "'");
+  return {static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+/// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
+View_2 read_view(const std::filesystem::path& file, int width, int height) {
+  std::ifstream stream(file);
+  if (!stream) throw Usage_error("--view " + file.string() + ": cannot be read; give a view file or 'fit'");
+  std::stringstream buffer;
+  buffer << stream.rdbuf();
+  const std::string text = buffer.str();
+  View_2 view;
+  if (const auto start = text.find_first_not_of(" \t\r\n"); start != std::string::npos && text[start] == '{') {
+    try {
+      const auto json = nlohmann::json::parse(text);
+      view.center = {json.at("center").at(0).get<double>(), json.at("center").at(1).get<double>()};
+      view.scale = json.at("scale").get<double>();
+    } catch (const nlohmann::json::exception& error) {
+      throw Usage_error("--view " + file.string() + ": expected {\"center\": [x, y], \"scale\": s}: " + error.what());
+    }
+  } else {
+    std::vector<double> numbers;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+      const auto number = parse_number(word);
+      if (!number) throw Usage_error("--view " + file.string() + ": expected a number, found '" + word + "'");
+      numbers.push_back(*number);
+    }
+    if (numbers.size() != 4 || !(numbers[1] > numbers[0]) || !(numbers[3] > numbers[2]))
+      throw Usage_error("--view " + file.string() + ": expected xmin xmax ymin ymax or a JSON view");
+    view.center = {(numbers[0] + numbers[1]) / 2, (numbers[2] + numbers[3]) / 2};
+    view.scale = std::min(width / (numbers[1] - numbers[0]), height / (numbers[3] - numbers[2]));
+  }
+  if (!(view.scale > 0) || !std::isfinite(view.scale))
+    throw Usage_error("--view " + file.string() + ": expected a positive scale, found " + format_number(view.scale));
+  return view;
+}
+
+}  // namespace
+
+std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
+                                                          const Registry& registry, const Formats& formats) {
+  Command_line result;
+  CLI::App app(
+      "Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their filtrations.\n"
+      "With files, opens them in a window; with --nogui, computes and writes without one.\n"
+      "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage.",
+      program);
+  app.set_version_flag("--version", program + " " MESECINA_VERSION);
+  std::vector<std::string> files;
+  std::vector<std::string> assignments;
+  std::string size = "1200x900";
+  std::string view = "fit";
+  std::string stats;
+  std::string output = "out";
+  std::string list;
+  app.add_option("FILE", files, "Points, outlines or pictures to read (--list formats)");
+  app.add_flag("--nogui", result.nogui, "Compute and write, open no window; needs no display");
+  app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
+  app.add_option("--output", output, "Directory for the results")->capture_default_str();
+  app.add_option("--formats", result.formats, "What to write: NAME,NAME,... (--list formats)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  app.add_option("--size", size, "Size of pictures in pixels, WIDTHxHEIGHT")->capture_default_str();
+  app.add_option("--view", view, "View of pictures: a view file, or 'fit'")->capture_default_str();
+  app.add_option("--stats", stats,
+                 "Write one JSON object per input and line: counts, seconds per stage, memory, warnings. Without a "
+                 "file: DIRECTORY OF --output/stats.jsonl")
+      ->expected(0, 1);
+  app.add_option("--jobs", result.jobs, "Inputs computed at the same time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app.add_flag("--resume", result.resume, "Skip inputs whose results are complete");
+  app.add_option("--list", list, "List layers, settings or formats")
+      ->check(CLI::IsMember({"layers", "settings", "formats"}));
+  app.add_flag("--json", result.list_as_json, "With --list: as JSON");
+  app.add_option("--seed", result.seed, "Seed of everything random")->capture_default_str();
+  app.add_option("--threads", result.threads,
+                 "Threads per input; 0: all cores, shared by the jobs. Results never depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--log", result.log, "What is reported on stderr: error, warning or info")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Log_level>{
+              {"error", Log_level::error}, {"warning", Log_level::warning}, {"info", Log_level::info}},
+          CLI::ignore_case))
+      ->default_str("warning");
+  try {
+    app.parse(argc, argv);
+    result.files.assign(files.begin(), files.end());
+    result.output = output;
+    if (app.count("--stats") > 0)
+      result.stats = stats.empty() ? result.output / "stats.jsonl" : std::filesystem::path(stats);
+    if (!list.empty()) return Early_exit{exit_success, list_text(list, result.list_as_json, registry, formats)};
+    check_names("layer", result.layers, layer_ids(registry));
+    check_names("format", result.formats, output_formats(formats));
+    result.settings = read_settings(assignments, registry);
+    std::tie(result.width, result.height) = read_size(size);
+    if (view != "fit") result.view = read_view(view, result.width, result.height);
+    if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = app.exit(error, out, err);
+    return Early_exit{code == 0 ? exit_success : exit_wrong_usage,
+                      code == 0 ? out.str() : program + ": " + error.what() + "\nTry --help.\n"};
+  } catch (const Usage_error& error) {
+    return Early_exit{exit_wrong_usage, program + ": " + std::string(error.what()) + "\n"};
+  }
+  return result;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/formats/format.h"
+#include "core/registry.h"
+
+namespace mesecina {
+
+enum class Log_level { error, warning, info };
+
+/// Exit codes of the programs; scripts rely on them.
+inline constexpr int exit_success = 0;
+inline constexpr int exit_some_failed = 1;
+inline constexpr int exit_wrong_usage = 2;
+
+struct Command_line {
+  bool nogui = false;
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> layers;  ///< known ids; empty: those visible by default
+  Settings settings;
+  std::filesystem::path output = "out";
+  std::vector<std::string> formats = {"json"};
+  int width = 1200;  ///< of pictures, in pixels
+  int height = 900;
+  std::optional<View_2> view;  ///< absent: fit
+  std::optional<std::filesystem::path> stats;
+  int jobs = 1;
+  bool resume = false;
+  std::optional<std::string> list;
+  bool list_as_json = false;
+  std::uint64_t seed = 0;
+  int threads = 0;  ///< 0: as many as there are cores, divided among the jobs
+  Log_level log = Log_level::warning;
+};
+
+/// What to print and with which exit code, instead of running.
+struct Early_exit {
+  int code = 0;
+  std::string text;  ///< to stdout if the code is 0, else to stderr
+};
+
+/// Reads the command line. Unknown layers, settings and formats give exit_wrong_usage with the nearest known name.
+std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
+                                                          const Registry& registry, const Formats& formats);
+
+/// Text of --list WHAT: layers, settings or formats.
+std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats);
+
+}  // namespace mesecina

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <nlohmann/json.hpp>
+
+#include "core/batch/command_line.h"
+#include "core/formats/number.h"
+
+namespace mesecina {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Setting_value& value) {
+  return std::visit([](const auto& v) -> Json { return v; }, value);
+}
+
+const char* type_name(const Setting_value& value) {
+  constexpr const char* names[] = {"boolean", "integer", "number", "text"};
+  return names[value.index()];
+}
+
+Json list_layers(const Registry& registry) {
+  Json list = Json::array();
+  for (const Layer_spec& layer : registry.layers()) {
+    Json entry{{"id", layer.id}, {"label", layer.label}, {"stage", layer.stage}, {"help", layer.help}};
+    if (!layer.cut_setting.empty()) entry["limit"] = layer.cut_setting;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json list_settings(const Registry& registry) {
+  Json list = Json::array();
+  for (const Setting_spec& setting : registry.settings()) {
+    Json entry{{"id", setting.id},
+               {"label", setting.label},
+               {"type", type_name(setting.default_value)},
+               {"default", to_json(setting.default_value)},
+               {"unit", setting.unit}};
+    if (std::isfinite(setting.minimum)) entry["minimum"] = setting.minimum;
+    if (std::isfinite(setting.maximum)) entry["maximum"] = setting.maximum;
+    if (!setting.choices.empty()) entry["choices"] = setting.choices;
+    entry["help"] = setting.help;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json list_formats(const Formats& formats) {
+  Json list = Json::array();
+  for (const Reader& reader : formats.readers) {
+    list.push_back({{"use", "read"}, {"name", reader.name}, {"extensions", reader.extensions}});
+  }
+  const auto add = [&](const char* use, const auto& writer) {
+    list.push_back({{"use", use}, {"name", writer.name}, {"extensions", {writer.extension}}, {"help", writer.help}});
+  };
+  for (const Layer_writer& writer : formats.layer_writers) add("write layers", writer);
+  for (const Picture_writer& writer : formats.picture_writers) add("write pictures", writer);
+  return list;
+}
+
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.resize(width, ' ');
+  return text + "  ";
+}
+
+std::string range_text(const Setting_spec& setting) {
+  std::string text = "default " + to_text(setting.default_value);
+  if (std::isfinite(setting.minimum)) text += ", from " + format_number(setting.minimum);
+  if (std::isfinite(setting.maximum)) text += ", to " + format_number(setting.maximum);
+  if (!setting.unit.empty()) text += ", " + setting.unit;
+  return text;
+}
+
+}  // namespace
+
+std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats) {
+  if (as_json) {
+    const Json list = what == "layers"     ? list_layers(registry)
+                      : what == "settings" ? list_settings(registry)
+                                           : list_formats(formats);
+    return list.dump(2) + "\n";
+  }
+  std::string text;
+  if (what == "layers") {
+    std::string stage;
+    for (const Layer_spec& layer : registry.layers()) {
+      if (layer.stage != stage) text += (text.empty() ? "" : "\n") + (stage = layer.stage) + "\n";
+      text += "  " + padded(layer.id, 28) + layer.help + "\n";
+    }
+  } else if (what == "settings") {
+    for (const Setting_spec& setting : registry.settings())
+      text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + setting.help + "\n";
+  } else {
+    for (const Reader& reader : formats.readers) {
+      std::string extensions;
+      for (const std::string& extension : reader.extensions) extensions += " ." + extension;
+      text += padded("read", 14) + padded(reader.name, 28) + extensions + "\n";
+    }
+    for (const Layer_writer& writer : formats.layer_writers)
+      text += padded("write layers", 14) + padded(writer.name, 28) + writer.help + "\n";
+    for (const Picture_writer& writer : formats.picture_writers)
+      text += padded("write pictures", 14) + padded(writer.name, 28) + writer.help + "\n";
+  }
+  return text;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/statistics.h"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace mesecina {
+
+using Json = nlohmann::ordered_json;
+
+std::string layer_statistics(const Primitive_set* primitives, const std::string& reason) {
+  Json json;
+  if (!primitives) {
+    json["reason"] = reason;
+    return json.dump();
+  }
+  const auto add = [&](const char* name, std::size_t count) {
+    if (count > 0) json[name] = count;
+  };
+  json["vertices"] = primitives->vertices.size();
+  add("points", primitives->points.size());
+  add("segments", primitives->segments.size());
+  add("rays", primitives->rays.size());
+  add("arcs", primitives->arcs.size());
+  add("triangles", primitives->triangles.size());
+  add("polygons", primitives->polygon_count());
+  add("balls", primitives->balls.size());
+  if (const auto topology = mesecina::topology(*primitives)) {
+    json["euler"] = topology->euler;
+    json["betti"] = topology->betti;
+  }
+  return json.dump();
+}
+
+std::string to_json_line(const Input_statistics& statistics) {
+  Json json;
+  json["input"] = statistics.input;
+  json["status"] = statistics.failed ? "failed" : "ok";
+  if (statistics.failed) json["reason"] = statistics.reason;
+  json["seconds"] = statistics.seconds;
+  json["peak_rss_bytes"] = peak_memory();
+  json["counts"] = statistics.counts;
+  json["layers"] = Json::object();
+  for (const auto& [id, text] : statistics.layers) json["layers"][id] = Json::parse(text);
+  json["warnings"] = statistics.warnings;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/primitives.h"
+
+namespace mesecina {
+
+/// What --stats says of one input.
+struct Input_statistics {
+  std::string input;
+  bool failed = false;
+  std::string reason;
+  std::map<std::string, double> seconds;                    ///< "total", "read", "write", and one per stage
+  std::map<std::string, std::uint64_t> counts;              ///< of the input
+  std::vector<std::pair<std::string, std::string>> layers;  ///< id and its JSON object
+  std::vector<std::string> warnings;
+};
+
+/// JSON object of counts, Euler characteristic and Betti numbers of a layer, as in the "layers" of a statistics line.
+std::string layer_statistics(const Primitive_set* primitives, const std::string& reason);
+/// One line, ended by a newline.
+std::string to_json_line(const Input_statistics& statistics);
+/// Largest resident memory of this process so far, in bytes.
+std::uint64_t peak_memory();
+
+}  // namespace mesecina
