@@ -196,11 +196,9 @@ std::optional<double> Histogram_widget::limit_at(Handle handle, double x) const 
 
 Histogram_widget::Handle Histogram_widget::nearest_handle(double x) const {
   if (content_.is_cut) return Handle::minimum;
-  const double to_minimum = x - handle_x(Handle::minimum);
-  const double to_maximum = handle_x(Handle::maximum) - x;
-  // Where both stand in one place, the side of the pointer tells which one can move there.
-  if (std::abs(to_minimum) == std::abs(to_maximum)) return to_minimum < 0 ? Handle::minimum : Handle::maximum;
-  return std::abs(to_minimum) < std::abs(to_maximum) ? Handle::minimum : Handle::maximum;
+  const double to_minimum = std::abs(x - handle_x(Handle::minimum));
+  const double to_maximum = std::abs(x - handle_x(Handle::maximum));
+  return to_minimum < to_maximum ? Handle::minimum : Handle::maximum;
 }
 
 void Histogram_widget::move_handle(Handle handle, double x) {
@@ -218,6 +216,9 @@ void Histogram_widget::mousePressEvent(QMouseEvent* event) {
   focused_ = nearest_handle(x);
   const double offset = handle_x(focused_) - x;
   grip_offset_ = std::abs(offset) < QFontMetricsF(font()).height() * 0.5 ? offset : 0;
+  // Of two handles in one place the direction of the drag tells which is meant.
+  is_undecided_ = !content_.is_cut && std::abs(handle_x(Handle::minimum) - handle_x(Handle::maximum)) < 1;
+  pressed_x_ = x;
   is_dragging_ = true;
   Q_EMIT gesture_started();
   update();
@@ -226,6 +227,8 @@ void Histogram_widget::mousePressEvent(QMouseEvent* event) {
 void Histogram_widget::mouseMoveEvent(QMouseEvent* event) {
   const double x = event->position().x();
   if (is_dragging_) {
+    if (is_undecided_ && x != pressed_x_) focused_ = x < pressed_x_ ? Handle::minimum : Handle::maximum;
+    is_undecided_ = is_undecided_ && x == pressed_x_;
     move_handle(focused_, x + grip_offset_);
     return;
   }

@@ -87,6 +87,8 @@ class Histogram_widget : public QWidget {
   mutable std::string binned_value_;
   Handle focused_ = Handle::minimum;
   bool is_dragging_ = false;
+  bool is_undecided_ = false;
+  double pressed_x_ = 0;
   double grip_offset_ = 0;
 };
 

@@ -36,12 +36,10 @@ void Number_field::set_bounds(double minimum, double maximum) {
 void Number_field::show_value(std::optional<double> value, const QString& placeholder, std::optional<double> start) {
   lineEdit()->setPlaceholderText(placeholder);
   start_ = start;
-  const bool is_being_edited = lineEdit()->hasFocus() && lineEdit()->isModified();
-  if (is_being_edited && value == value_) return;
+  if (hasFocus() && is_text_edited() && value == value_) return;
   value_ = value;
   const QString text = text_of(value);
   if (lineEdit()->text() != text) lineEdit()->setText(text);
-  lineEdit()->setModified(false);
   lineEdit()->setCursorPosition(0);
 }
 
@@ -62,15 +60,16 @@ QString Number_field::text_of(std::optional<double> value) const {
   return number + suffix_;
 }
 
+bool Number_field::is_text_edited() const { return lineEdit()->text() != text_of(value_); }
+
 void Number_field::commit() {
-  if (lineEdit()->isModified()) {
+  if (is_text_edited()) {
     const QString text = lineEdit()->text();
     const bool is_emptied = text.trimmed().isEmpty();
     const std::optional<double> number = parsed(text);
     const std::optional<double> before = value_;
     if (number || (is_emptied && is_optional_)) value_ = number;
     lineEdit()->setText(text_of(value_));
-    lineEdit()->setModified(false);
     if (value_ != before) Q_EMIT edited(value_);
   }
   Q_EMIT finished();
@@ -88,7 +87,6 @@ void Number_field::stepBy(int steps) {
   if (value_ == next) return;
   value_ = next;
   lineEdit()->setText(text_of(value_));
-  lineEdit()->setModified(false);
   Q_EMIT edited(value_);
 }
 
@@ -111,9 +109,8 @@ void Number_field::wheelEvent(QWheelEvent* event) {
 }
 
 void Number_field::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && lineEdit()->isModified()) {
+  if (event->key() == Qt::Key_Escape && is_text_edited()) {
     lineEdit()->setText(text_of(value_));
-    lineEdit()->setModified(false);
     selectAll();
     return;
   }

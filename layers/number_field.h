@@ -45,6 +45,7 @@ class Number_field : public QAbstractSpinBox {
  private:
   std::optional<double> parsed(QString text) const;
   QString text_of(std::optional<double> value) const;
+  bool is_text_edited() const;
   void commit();
 
   std::optional<double> value_;
