@@ -11,14 +11,16 @@
 namespace mesecina {
 namespace {
 
-constexpr double strip_width = 180;
+constexpr double least_strip_width = 180;
 constexpr double strip_height = 10;
 constexpr double padding = 8;
 constexpr double margin = 10;
 constexpr double gap = 4;
-/// Of the text size; wide enough for the average character of the font.
-constexpr double character_width = 0.62;
-constexpr std::size_t longest_title = 60;
+/// Room for tick texts that reach beyond the strip.
+constexpr double overhang = 8;
+/// Pixels; wide enough for the average character of the font.
+constexpr double average_character = 0.62 * Color_bar_look::text_size;
+constexpr double longest_title = 400;
 constexpr long long most_classes = 12;
 
 std::size_t count_characters(std::string_view utf8) {
@@ -41,7 +43,7 @@ std::string title_of(const Scene_layer& layer, const Values& values) {
   std::string title = layer.label.empty() ? layer.id : layer.label;
   title += ": " + values.name;
   if (!values.unit.empty()) title += " (" + values.unit + ")";
-  return shortened(title, longest_title);
+  return title;
 }
 
 /// Without the digits that only rounding brought in.
@@ -108,10 +110,10 @@ Color_bar content_of(const Scene_layer& layer, const Layer_colors& colors) {
 }
 
 /// Drops ticks whose texts would touch the one before.
-void thin_out(std::vector<Color_bar::Tick>& ticks) {
+void thin_out(std::vector<Color_bar::Tick>& ticks, double strip_width) {
   double free_from = -1e9;
   std::erase_if(ticks, [&](const Color_bar::Tick& tick) {
-    const double half = static_cast<double>(tick.text.size()) * character_width * Color_bar_look::text_size / 2;
+    const double half = static_cast<double>(tick.text.size()) * average_character / 2;
     const double middle = tick.position * strip_width;
     if (middle - half < free_from) return true;
     free_from = middle + half + gap;
@@ -126,27 +128,29 @@ std::vector<Color_bar> color_bars(const Scene& scene, double width, double heigh
   constexpr double plate_height =
       2 * padding + text + gap + strip_height + Color_bar_look::tick_length + gap / 2 + text;
   std::vector<Color_bar> bars;
-  double bottom = height - margin;
+  double strip_width = least_strip_width;
+  const double widest = width - 2 * (margin + padding + overhang);
   for (const Scene_layer& layer : scene.layers) {
     if (!is_shown(layer)) continue;
     const Layer_colors colors(layer);
     if (!colors.is_by_value()) continue;
+    if (widest < strip_width || static_cast<double>(bars.size() + 1) * plate_height > height - 2 * margin) break;
     Color_bar bar = content_of(layer, colors);
-    thin_out(bar.ticks);
-    const double title_width = static_cast<double>(count_characters(bar.title)) * character_width * text;
-    const double plate_width = 2 * padding + std::max(strip_width + 2 * padding, title_width);
-    const double top = bottom - plate_height;
-    if (top < margin || plate_width > width - 2 * margin) break;
-    const double right = width - margin;
-    bar.plate = {right - plate_width, top, right, bottom};
-    const double left = bar.plate.left + padding;
-    const double strip_left = left + padding;
-    bar.title_anchor = {strip_left, top + padding + text * 0.85};
-    const double strip_top = top + padding + text + gap;
-    bar.strip = {strip_left, strip_top, strip_left + strip_width, strip_top + strip_height};
-    bar.tick_base = bar.strip.bottom + Color_bar_look::tick_length + gap / 2 + text * 0.85;
+    bar.title = shortened(bar.title, static_cast<std::size_t>(std::min(longest_title, widest) / average_character));
+    strip_width = std::max(strip_width, static_cast<double>(count_characters(bar.title)) * average_character);
     bars.push_back(std::move(bar));
-    bottom = top - gap;
+  }
+  double bottom = height - margin;
+  for (Color_bar& bar : bars) {
+    const double top = bottom - plate_height;
+    const double left = width - margin - padding - overhang - strip_width;
+    bar.plate = {left - overhang - padding, top, width - margin, bottom};
+    bar.title_anchor = {left, top + padding + text * 0.85};
+    const double strip_top = top + padding + text + gap;
+    bar.strip = {left, strip_top, left + strip_width, strip_top + strip_height};
+    bar.tick_base = bar.strip.bottom + Color_bar_look::tick_length + gap / 2 + text * 0.85;
+    thin_out(bar.ticks, strip_width);
+    bottom = top;
   }
   return bars;
 }

@@ -37,8 +37,8 @@ struct Color_bar_look {
   static constexpr const char* font = "DejaVu Sans";
 };
 
-/// One bar for each visible layer coloured by value, stacked upwards from the lower right corner in layer order; those
-/// that do not fit the page are left out. None for layers with a solid or random map. O(elements).
+/// One bar for each visible layer coloured by value, all of one width, stacked upwards from the lower right corner in
+/// layer order; those that do not fit the page are left out. None for layers with a solid or random map. O(elements).
 std::vector<Color_bar> color_bars(const Scene& scene, double width, double height);
 
 /// Black or white, whichever reads well on `ground`.

@@ -15,6 +15,8 @@ namespace {
 
 /// Lines gathered before they are painted in one call.
 constexpr std::size_t batch_size = 4096;
+/// From this size on the pixels of an image are painted one by one, since Qt cannot place images of 1e5 pixels exactly.
+constexpr double separate_pixel = 100;
 /// Closes the hairlines that antialiasing leaves between neighbouring areas of different colour.
 constexpr double seam_width = 0.6;
 
@@ -50,6 +52,10 @@ class Painter_sink : public Shape_sink {
     const auto [left, right] = visible(place.left, place.right, paper_.left, paper_.right, image.width);
     const auto [top, bottom] = visible(place.top, place.bottom, paper_.top, paper_.bottom, image.height);
     if (left >= right || top >= bottom) return;
+    if (pixel >= separate_pixel) {
+      paint_pixels(image, place, pixel, left, right, top, bottom);
+      return;
+    }
     const QImage whole(image.rgba.data(), image.width, image.height, qsizetype{4} * image.width,
                        QImage::Format_RGBA8888);
     const QRectF target(place.left + left * pixel, place.top + top * pixel, (right - left) * pixel,
@@ -130,6 +136,26 @@ class Painter_sink : public Shape_sink {
   }
 
  private:
+  void paint_pixels(const Image& image, const Pixel_box& place, double pixel, int left, int right, int top,
+                    int bottom) {
+    painter_.save();
+    painter_.setRenderHint(QPainter::Antialiasing, false);
+    const Pixel_box around = paper_.grown(1);
+    for (int row = top; row < bottom; ++row) {
+      for (int column = left; column < right; ++column) {
+        const std::uint8_t* rgba =
+            image.rgba.data() + 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                                     static_cast<std::size_t>(column));
+        const Pixel_box box{std::max(around.left, place.left + column * pixel),
+                            std::max(around.top, place.top + row * pixel),
+                            std::min(around.right, place.left + (column + 1) * pixel),
+                            std::min(around.bottom, place.top + (row + 1) * pixel)};
+        painter_.fillRect(to_qt(box), to_qt({rgba[0], rgba[1], rgba[2]}, style_->opacity * rgba[3] / 255));
+      }
+    }
+    painter_.restore();
+  }
+
   void flush() {
     if (lines_.empty()) return;
     painter_.drawLines(lines_);

@@ -4,10 +4,24 @@
 #include <QBuffer>
 #include <QPainter>
 #include <QPdfWriter>
+#include <algorithm>
 
 #include "layers/painter_canvas.h"
 
 namespace mesecina {
+namespace {
+
+/// Blanks the date of creation, which Qt always writes; every other byte stays at its place, as the file's table of
+/// contents needs it.
+void remove_date(QByteArray& pdf) {
+  const qsizetype begin = pdf.indexOf("/CreationDate (");
+  if (begin < 0) return;
+  const qsizetype end = pdf.indexOf(')', begin);
+  if (end < 0) return;
+  std::fill(pdf.begin() + begin, pdf.begin() + end + 1, ' ');
+}
+
+}  // namespace
 
 std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int height) {
   constexpr double points_per_pixel = 0.75;
@@ -26,6 +40,7 @@ std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int hei
   paint_scene(painter, scene, view, width, height);
   paint_color_bars(painter, scene, width, height);
   painter.end();
+  remove_date(bytes);
   return bytes.toStdString();
 }
 
