@@ -30,13 +30,23 @@ void add_extremes(Box& box, const Point_2& start, const Svg_curve& curve, double
   }
 }
 
-/// A chord is nowhere farther from the curve than 3/4 of the larger second difference of the control points.
+double distance_from_segment(const Point_2& p, const Point_2& from, const Point_2& to) {
+  const double squared_length = squared_distance(from, to);
+  if (squared_length == 0) return distance(p, from);
+  const double along = ((p.x - from.x) * (to.x - from.x) + (p.y - from.y) * (to.y - from.y)) / squared_length;
+  return distance(p, between(from, to, std::clamp(along, 0., 1.)));
+}
+
+/// A bound on the distance between a curve and its chord: 3/4 of the larger second difference of the control points,
+/// or 3/4 of the larger distance of an inner control point from the chord. The second finds straight curves.
 double chord_error(const Point_2& start, const Svg_curve& curve) {
   const auto second_difference = [](const Point_2& p, const Point_2& q, const Point_2& r) {
     return std::hypot(p.x - 2 * q.x + r.x, p.y - 2 * q.y + r.y);
   };
-  return 0.75 * std::max(second_difference(start, curve.control_1, curve.control_2),
-                         second_difference(curve.control_1, curve.control_2, curve.end));
+  return 0.75 * std::min(std::max(second_difference(start, curve.control_1, curve.control_2),
+                                  second_difference(curve.control_1, curve.control_2, curve.end)),
+                         std::max(distance_from_segment(curve.control_1, start, curve.end),
+                                  distance_from_segment(curve.control_2, start, curve.end)));
 }
 
 void flatten_curve(const Point_2& start, const Svg_curve& curve, double tolerance, int depth, Ring_2& ring) {
