@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPinchGesture>
+#include <QTimer>
 #include <QWheelEvent>
 #include <cmath>
 
@@ -36,8 +37,8 @@ struct Canvas_2::State {
   std::unique_ptr<Canvas_surface> surface;
   Canvas_tool* tool = nullptr;
   View_history history;
-  std::optional<Box> box_to_fit;  ///< until the canvas has its size on screen
-  bool was_painted = false;
+  std::optional<Box> box_to_fit;  ///< again when the canvas gets another size while its window appears
+  bool is_settled = false;        ///< it has had its size on screen for a while
 
   Qt::MouseButton pan_button = Qt::NoButton;  ///< none: no pan is going on
   QPointF pan_position;
@@ -226,6 +227,13 @@ struct Canvas_2::State {
     surface->widget().setGeometry(canvas.rect());
     if (box_to_fit) show_view(fitting_view(*box_to_fit));
   }
+  void settle_soon() {
+    constexpr int milliseconds = 250;
+    QTimer::singleShot(milliseconds, &canvas, [this] {
+      is_settled = true;
+      box_to_fit.reset();
+    });
+  }
   void leave() const {
     if (tool) tool->leave();
   }
@@ -276,15 +284,16 @@ void Canvas_2::set_view(const View_2& view) {
 
 void Canvas_2::fit(const Box& box) {
   const View_2 view = state_->fitting_view(box);
-  if (state_->was_painted)
-    state_->history.jump(state_->content.view, view);
-  else
-    state_->box_to_fit = box;
+  if (isVisible()) state_->history.jump(state_->content.view, view);
+  if (!state_->is_settled) state_->box_to_fit = box;
   state_->show_view(view);
 }
 
 void Canvas_2::previous_view() {
-  if (const auto view = state_->history.take(state_->content.view)) state_->show_view(*view);
+  const auto view = state_->history.take(state_->content.view);
+  if (!view) return;
+  state_->box_to_fit.reset();
+  state_->show_view(*view);
 }
 
 void Canvas_2::zoom(double factor) {
@@ -346,9 +355,8 @@ bool Canvas_2::event(QEvent* event) {
     case QEvent::Resize:
       state.resize();
       break;
-    case QEvent::Paint:
-      state.was_painted = true;
-      state.box_to_fit.reset();
+    case QEvent::Show:
+      state.settle_soon();
       break;
     default:
       break;

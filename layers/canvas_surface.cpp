@@ -172,7 +172,8 @@ void Painter_surface_2::paintEvent(QPaintEvent*) {
     rest_.stop();
     painter.drawPixmap(QPointF(), picture_);
   } else {
-    rest_.start();
+    if (!rest_.isActive() || moving_view_ != content_.view) rest_.start();
+    moving_view_ = content_.view;
     const Color& ground = content_.scene.background;
     painter.fillRect(rect(), QColor(ground.red, ground.green, ground.blue));
     const double factor = content_.view.scale / picture_view_.scale;

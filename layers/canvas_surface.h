@@ -89,6 +89,7 @@ class Painter_surface_2 : public QWidget, public Canvas_surface {
   QString reason_;
   QPixmap picture_;  ///< of scene and overlay; null when they have changed
   View_2 picture_view_;
+  View_2 moving_view_;  ///< for which the picture was last shown in its place
   QTimer rest_;
   bool exact_ = false;  ///< the next painting must be exact
 };

@@ -70,6 +70,17 @@ bool is_convex(const Primitive_set& set, std::size_t polygon) {
   return sign_changes <= 2;
 }
 
+/// Whether the same elements of one Primitive_set are drawn in the same colours, whatever their lines and opacity.
+bool has_same_colors(const Scene_layer& a, const Scene_layer& b) {
+  Style style = a.style;
+  style.visible = b.style.visible;
+  style.opacity = b.style.opacity;
+  style.point_size = b.style.point_size;
+  style.line_width = b.style.line_width;
+  style.filled = b.style.filled;
+  return a.cut == b.cut && style == b.style;
+}
+
 }  // namespace
 
 Element_numbers::Element_numbers(const std::vector<double>& values) {
@@ -181,45 +192,40 @@ unsigned Gl_primitives::number_buffer(const Primitive_set& set, Gl_batch& batch,
   return batch.numbers.emplace(name, Gl_buffer(data)).first->second.id();
 }
 
-const std::vector<Polygon_run>& Gl_primitives::runs(const Primitive_set& set, Gl_batch& batch,
-                                                    const std::string& name) {
-  const auto known = batch.runs.find(name);
-  if (known != batch.runs.end()) return known->second;
-  const Values* values = name.empty() ? nullptr : set.find_values(name);
+const std::vector<Polygon_run>& Gl_primitives::runs(const Scene_layer& layer, Gl_batch& batch) {
+  if (batch.layer_of_runs && has_same_colors(*batch.layer_of_runs, layer)) return batch.runs;
+  const Primitive_set& set = *layer.primitives;
   const auto& elements = batch.instances.elements;
   const std::size_t first_polygon =
       set.points.size() + set.segments.size() + set.rays.size() + set.arcs.size() + set.triangles.size();
-  const auto same_number = [&](std::uint32_t a, std::uint32_t b) {
-    if (a == b || !values) return true;
-    const double x = values->data[a];
-    const double y = values->data[b];
-    return x == y || (std::isnan(x) && std::isnan(y));
-  };
-  std::vector<Polygon_run> result;
+  const Layer_colors colors(layer);
+  const std::vector<bool> drawn = drawn_elements(layer);
+  batch.runs.clear();
   for (std::size_t i = 0; i < elements.size();) {
     Polygon_run run{i, 0, true};
-    bool is_single = true;
-    while (i < elements.size() && same_number(elements[run.first], elements[i])) {
-      is_single = is_single && elements[i] == elements[run.first];
-      ++i;
+    std::optional<Color> color;
+    std::optional<std::uint32_t> only;
+    for (; i < elements.size(); ++i) {
+      const std::uint32_t element = elements[i];
+      if (element == only || (!drawn.empty() && !drawn[element])) continue;
+      if (color && colors(element) != *color) break;
+      run.is_plain = !only && is_convex(set, element - first_polygon);
+      only = element;
+      if (!color) color = colors(element);
     }
     run.count = i - run.first;
-    run.is_plain = is_single && is_convex(set, elements[run.first] - first_polygon);
-    if (run.is_plain && !result.empty() && result.back().is_plain)
-      result.back().count += run.count;
+    if (run.is_plain && !batch.runs.empty() && batch.runs.back().is_plain)
+      batch.runs.back().count += run.count;
     else
-      result.push_back(run);
+      batch.runs.push_back(run);
   }
-  return batch.runs.emplace(name, std::move(result)).first->second;
+  batch.layer_of_runs = layer;
+  batch.layer_of_runs->primitives.reset();
+  return batch.runs;
 }
 
 const Value_range& Gl_primitives::range(const Scene_layer& layer) {
-  const Style& a = layer.style;
-  const Style& b = range_layer_.style;
-  const bool is_same = range_ && range_layer_.cut == layer.cut && a.value == b.value &&
-                       a.range_minimum == b.range_minimum && a.range_maximum == b.range_maximum &&
-                       a.threshold_minimum == b.threshold_minimum && a.threshold_maximum == b.threshold_maximum;
-  if (!is_same) {
+  if (!range_ || !has_same_colors(range_layer_, layer)) {
     range_ = value_range(layer);
     range_layer_ = layer;
     range_layer_.primitives.reset();

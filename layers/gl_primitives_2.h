@@ -50,7 +50,8 @@ struct Gl_batch {
   Gl_buffer geometry;
   double typical_radius = 0;                              ///< of circles: the median
   std::map<std::string, Gl_buffer, std::less<>> numbers;  ///< by name of the values; "": a colour for each element
-  std::map<std::string, std::vector<Polygon_run>, std::less<>> runs;
+  std::vector<Polygon_run> runs;
+  std::optional<Scene_layer> layer_of_runs;  ///< without its primitives
 
   int count() const { return static_cast<int>(instances.elements.size()); }
 };
@@ -78,8 +79,9 @@ class Gl_primitives {
   const Element_numbers* numbers(const Primitive_set& set, const std::string& name);
   /// Numbers and ranks per instance. `name` must be of values of the set, or "" for a colour of its own each.
   unsigned number_buffer(const Primitive_set& set, Gl_batch& batch, const std::string& name);
-  /// For a batch of polygons: those that follow each other with one number of `name` ("": all) are one run.
-  const std::vector<Polygon_run>& runs(const Primitive_set& set, Gl_batch& batch, const std::string& name);
+  /// For a batch of polygons: drawn ones that follow each other in one colour are one run. Computed again only when
+  /// they may have changed.
+  const std::vector<Polygon_run>& runs(const Scene_layer& layer, Gl_batch& batch);
   /// As value_range(layer), computed again only when it may have changed.
   const Value_range& range(const Scene_layer& layer);
   /// 0 when there is no image.

@@ -222,8 +222,7 @@ void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Look& l
                                          Gl_batch& batch) {
   const Primitive_set& set = *layer.primitives;
   begin_program(triangles, layer, look, batch);
-  const auto& runs = buffers.runs(set, batch, look.number);
-  for (const Polygon_run& run : runs) {
+  for (const Polygon_run& run : buffers.runs(layer, batch)) {
     bind_batch(set, look, buffers, batch, triangle_sizes, run.first);
     const auto draw = [&] { glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<int>(run.count)); };
     if (run.is_plain) {

@@ -76,7 +76,11 @@ void View_history::end_gesture() {
 
 void View_history::step(const View_2& from, const View_2& to, Time now) {
   if (in_gesture_ || from == to) return;
-  const bool goes_on = last_step_ && now - *last_step_ < pause_between_gestures && is_small_step(from, to);
+  if (!is_small_step(from, to)) {
+    jump(from, to);
+    return;
+  }
+  const bool goes_on = last_step_ && now - *last_step_ < pause_between_gestures;
   last_step_ = now;
   if (!goes_on) remember(from);
 }
