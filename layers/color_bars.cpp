@@ -18,8 +18,9 @@ constexpr double margin = 10;
 constexpr double gap = 4;
 /// Room for tick texts that reach beyond the strip.
 constexpr double overhang = 8;
-/// Pixels; wide enough for the average character of the font.
-constexpr double average_character = 0.62 * Color_bar_look::text_size;
+/// Pixels, a little more than the font needs.
+constexpr double average_character = 0.52 * Color_bar_look::text_size;
+constexpr double digit = 0.64 * Color_bar_look::text_size;
 constexpr double longest_title = 400;
 constexpr long long most_classes = 12;
 
@@ -113,7 +114,7 @@ Color_bar content_of(const Scene_layer& layer, const Layer_colors& colors) {
 void thin_out(std::vector<Color_bar::Tick>& ticks, double strip_width) {
   double free_from = -1e9;
   std::erase_if(ticks, [&](const Color_bar::Tick& tick) {
-    const double half = static_cast<double>(tick.text.size()) * average_character / 2;
+    const double half = static_cast<double>(tick.text.size()) * digit / 2;
     const double middle = tick.position * strip_width;
     if (middle - half < free_from) return true;
     free_from = middle + half + gap;

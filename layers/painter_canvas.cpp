@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t batch_size = 4096;
 /// From this size on the pixels of an image are painted one by one, since Qt cannot place images of 1e5 pixels exactly.
 constexpr double separate_pixel = 100;
+constexpr double widest_flat_line = 2;
 /// Closes the hairlines that antialiasing leaves between neighbouring areas of different colour.
 constexpr double seam_width = 0.6;
 
@@ -164,8 +165,10 @@ class Painter_sink : public Shape_sink {
 
   void set_pen(Color color) {
     if (has_pen_ && color == pen_color_) return;
-    // Round ends join the pieces of a curve; translucent ones would show as dots there.
-    const Qt::PenCapStyle cap = style_->opacity < 1 ? Qt::FlatCap : Qt::RoundCap;
+    // Round ends join the pieces of a curve. Translucent ones would show as dots there, and Qt takes ten times as long
+    // for them, so thin lines do without.
+    const bool has_round_ends = style_->opacity >= 1 && style_->line_width > widest_flat_line;
+    const Qt::PenCapStyle cap = has_round_ends ? Qt::RoundCap : Qt::FlatCap;
     painter_.setPen(QPen(to_qt(color, style_->opacity), style_->line_width, Qt::SolidLine, cap, Qt::RoundJoin));
     painter_.setBrush(Qt::NoBrush);
     pen_color_ = color;
