@@ -19,8 +19,8 @@ namespace mesecina {
 
 class Graph;
 
-/// What the function of a structure or a layer may read. Every call is recorded, and the result is computed anew only when
-/// something that was read has changed since.
+/// What the function of a structure or a layer may read. Every call is recorded, and the result is computed anew only
+/// when something that was read has changed since.
 class Context {
  public:
   /// The structure; throws Unavailable with its reason when it could not be computed.
@@ -56,8 +56,8 @@ class Context {
 };
 
 /// Computes structures and layers on demand and keeps them while what they read stays the same.
-/// Dependencies are what a function asked for, never declared. A failure is kept like a value, with its reason, and tried
-/// again only when something it read has changed. Not thread-safe: one thread uses it at a time.
+/// Dependencies are what a function asked for, never declared. A failure is kept like a value, with its reason, and
+/// tried again only when something it read has changed. Not thread-safe: one thread uses it at a time.
 class Graph {
  public:
   explicit Graph(std::shared_ptr<const Registry> registry);
@@ -85,8 +85,8 @@ class Graph {
   bool is_current(std::string_view layer_id);
 
   struct Stage {
-    std::string id;      ///< of the structure or layer
-    double seconds = 0;  ///< own time, without what it waited for
+    std::string id;        ///< of the structure or layer
+    double seconds = 0;    ///< own time, without what it waited for
     bool updated = false;  ///< by the incremental path
   };
   /// The computations since the last call of clear_stages, in the order they ended.

@@ -42,11 +42,17 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep) {
       if (keep[element]) use(i);
   };
   each(set.points.size(), [&](std::size_t i) { used[set.points[i]] = true; });
-  each(set.segments.size(), [&](std::size_t i) { for (int v : set.segments[i]) used[v] = true; });
+  each(set.segments.size(), [&](std::size_t i) {
+    for (int v : set.segments[i]) used[v] = true;
+  });
   each(set.rays.size(), [&](std::size_t i) { used[set.rays[i].from] = true; });
   each(set.arcs.size(), [&](std::size_t i) { used[set.arcs[i].from] = used[set.arcs[i].to] = true; });
-  each(set.triangles.size(), [&](std::size_t i) { for (int v : set.triangles[i]) used[v] = true; });
-  each(set.polygon_count(), [&](std::size_t i) { for (int v : set.polygon(i)) used[v] = true; });
+  each(set.triangles.size(), [&](std::size_t i) {
+    for (int v : set.triangles[i]) used[v] = true;
+  });
+  each(set.polygon_count(), [&](std::size_t i) {
+    for (int v : set.polygon(i)) used[v] = true;
+  });
   each(set.balls.size(), [&](std::size_t i) { used[set.balls[i].center] = true; });
 
   std::vector<int> renamed(set.vertices.size(), -1);
@@ -58,9 +64,12 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep) {
 
   element = 0;
   each(set.points.size(), [&](std::size_t i) { result.points.push_back(renamed[set.points[i]]); });
-  each(set.segments.size(),
-       [&](std::size_t i) { result.segments.push_back({renamed[set.segments[i][0]], renamed[set.segments[i][1]]}); });
-  each(set.rays.size(), [&](std::size_t i) { result.rays.push_back({renamed[set.rays[i].from], set.rays[i].direction}); });
+  each(set.segments.size(), [&](std::size_t i) {
+    result.segments.push_back({renamed[set.segments[i][0]], renamed[set.segments[i][1]]});
+  });
+  each(set.rays.size(), [&](std::size_t i) {
+    result.rays.push_back({renamed[set.rays[i].from], set.rays[i].direction});
+  });
   each(set.arcs.size(), [&](std::size_t i) {
     Arc arc = set.arcs[i];
     arc.from = renamed[arc.from];
@@ -76,7 +85,9 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep) {
     for (int v : set.polygon(i)) result.polygon_vertices.push_back(renamed[v]);
     result.polygon_offsets.push_back(static_cast<int>(result.polygon_vertices.size()));
   });
-  each(set.balls.size(), [&](std::size_t i) { result.balls.push_back({renamed[set.balls[i].center], set.balls[i].radius}); });
+  each(set.balls.size(), [&](std::size_t i) {
+    result.balls.push_back({renamed[set.balls[i].center], set.balls[i].radius});
+  });
 
   for (const Values& values : set.values) {
     Values kept{values.name, values.unit, {}};
@@ -129,7 +140,8 @@ std::optional<Topology> topology(const Primitive_set& set) {
   const auto vertex_count = std::ranges::count(used, true);
   for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v] && find(static_cast<int>(v)) == static_cast<int>(v)) ++result.betti[0];
-  result.euler = vertex_count - static_cast<std::int64_t>(edges.size()) + static_cast<std::int64_t>(set.triangles.size());
+  result.euler =
+      vertex_count - static_cast<std::int64_t>(edges.size()) + static_cast<std::int64_t>(set.triangles.size());
   result.betti[1] = result.betti[0] - result.euler;
   return result;
 }

@@ -49,20 +49,20 @@ struct Values {
 /// *Elements* are the primitives in this fixed order: points, segments, rays, arcs, triangles, polygons, balls; element
 /// numbers, `values[].data` and `ids` run through all of them in that order. Most layers use one kind.
 struct Primitive_set {
-  int dimension = 2;                            ///< 2: z of every vertex is 0
-  std::vector<Point_3> vertices;                ///< shared by the primitives below
-  std::vector<int> points;                      ///< vertex
-  std::vector<std::array<int, 2>> segments;     ///< vertices
+  int dimension = 2;                         ///< 2: z of every vertex is 0
+  std::vector<Point_3> vertices;             ///< shared by the primitives below
+  std::vector<int> points;                   ///< vertex
+  std::vector<std::array<int, 2>> segments;  ///< vertices
   std::vector<Ray> rays;
   std::vector<Arc> arcs;
-  std::vector<std::array<int, 3>> triangles;    ///< vertices, counterclockwise in the plane
-  std::vector<int> polygon_offsets;             ///< empty, or #polygons + 1 offsets into polygon_vertices
-  std::vector<int> polygon_vertices;            ///< filled all together by the even-odd rule
+  std::vector<std::array<int, 3>> triangles;  ///< vertices, counterclockwise in the plane
+  std::vector<int> polygon_offsets;           ///< empty, or #polygons + 1 offsets into polygon_vertices
+  std::vector<int> polygon_vertices;          ///< filled all together by the even-odd rule
   std::vector<Ball> balls;
   std::vector<Values> values;
-  std::vector<std::int64_t> ids;                ///< per element, what it is in the structure; empty: its own number
-  std::shared_ptr<const Image> image;           ///< drawn below the primitives; null for none
-  bool is_complex = false;                      ///< the primitives form a complex: Euler and Betti numbers mean something
+  std::vector<std::int64_t> ids;       ///< per element, what it is in the structure; empty: its own number
+  std::shared_ptr<const Image> image;  ///< drawn below the primitives; null for none
+  bool is_complex = false;             ///< the primitives form a complex: Euler and Betti numbers mean something
 
   std::size_t polygon_count() const { return polygon_offsets.empty() ? 0 : polygon_offsets.size() - 1; }
   std::span<const int> polygon(std::size_t i) const {
@@ -73,9 +73,7 @@ struct Primitive_set {
            balls.size();
   }
   bool is_empty() const { return element_count() == 0 && !image; }
-  std::int64_t id(std::size_t element) const {
-    return ids.empty() ? static_cast<std::int64_t>(element) : ids[element];
-  }
+  std::int64_t id(std::size_t element) const { return ids.empty() ? static_cast<std::int64_t>(element) : ids[element]; }
   /// Null when there are no values of this name.
   const Values* find_values(std::string_view name) const;
   /// Of the finite primitives, disks and arcs with their radius.

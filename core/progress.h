@@ -10,8 +10,9 @@
 
 namespace mesecina {
 
-/// Passed to every computation: takes what it says of its advance, tells it when to stop, and how many threads it may use.
-/// A long loop calls `report` or `check` at least every few milliseconds, so that cancelling takes effect within 100 ms.
+/// Passed to every computation: takes what it says of its advance, tells it when to stop, and how many threads it may
+/// use. A long loop calls `report` or `check` at least every few milliseconds, so that cancelling takes effect within
+/// 100 ms.
 class Progress {
  public:
   using Listener = std::function<void(std::string_view stage, double fraction)>;

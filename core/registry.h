@@ -47,13 +47,14 @@ struct Structure_spec {
   std::function<std::shared_ptr<void>(Context&, std::shared_ptr<void> previous)> update;
 };
 
-/// A named view of structures. Registered as data; everything the panel, the command line and the manual show of it is here.
+/// A named view of structures. Registered as data; everything the panel, the command line and the manual show of it is
+/// here.
 struct Layer_spec {
-  std::string id;      ///< kebab-case, unique
-  std::string label;   ///< a few words
-  std::string stage;   ///< group in the panel: "Input", "Diagram", "Reconstruction", "Medial axis", "Filtration", ...
-  std::string help;    ///< definition and paper; a sentence or two
-  Style style;         ///< default look
+  std::string id;     ///< kebab-case, unique
+  std::string label;  ///< a few words
+  std::string stage;  ///< group in the panel: "Input", "Diagram", "Reconstruction", "Medial axis", "Filtration", ...
+  std::string help;   ///< definition and paper; a sentence or two
+  Style style;        ///< default look
   std::function<Primitive_set(Context&)> build;
   /// Optional: the value and setting by which elements belong to the layer. The setting's own number is the limit.
   std::string cut_value;

@@ -34,7 +34,8 @@ std::string range_text(const Setting_spec& spec) {
 void check_setting(const Setting_spec& spec, const Setting_value& value) {
   if (value.index() != spec.default_value.index()) refuse(spec, "a value of the type of its default", to_text(value));
   const auto check_range = [&](double number) {
-    if (!(number >= spec.minimum && number <= spec.maximum)) refuse(spec, "a number" + range_text(spec), to_text(value));
+    if (!(number >= spec.minimum && number <= spec.maximum))
+      refuse(spec, "a number" + range_text(spec), to_text(value));
   };
   if (const auto* number = std::get_if<double>(&value)) check_range(*number);
   if (const auto* integer = std::get_if<std::int64_t>(&value)) check_range(static_cast<double>(*integer));

@@ -33,8 +33,10 @@ std::vector<bool> drawn_elements(const Scene_layer& layer) {
   std::vector<bool> drawn(set.element_count(), true);
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (cut_values && !(cut_values->data[i] >= layer.cut->minimum)) drawn[i] = false;
-    if (values && layer.style.threshold_minimum && !(values->data[i] >= *layer.style.threshold_minimum)) drawn[i] = false;
-    if (values && layer.style.threshold_maximum && !(values->data[i] <= *layer.style.threshold_maximum)) drawn[i] = false;
+    if (values && layer.style.threshold_minimum && !(values->data[i] >= *layer.style.threshold_minimum))
+      drawn[i] = false;
+    if (values && layer.style.threshold_maximum && !(values->data[i] <= *layer.style.threshold_maximum))
+      drawn[i] = false;
   }
   return drawn;
 }

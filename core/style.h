@@ -26,8 +26,8 @@ struct Style {
   double opacity = 1;     ///< 0 transparent ... 1
   double point_size = 6;  ///< diameter
   double line_width = 1.5;
-  bool filled = false;     ///< disks, triangles and polygons: inside painted; else their outline only
-  std::string value;       ///< the values that choose the colour; empty: `color` for all
+  bool filled = false;  ///< disks, triangles and polygons: inside painted; else their outline only
+  std::string value;    ///< the values that choose the colour; empty: `color` for all
   std::string color_map = "viridis";
   bool color_map_reversed = false;
   std::optional<double> range_minimum;  ///< of the colour map; absent: smallest finite value

@@ -50,8 +50,8 @@ class Worker {
   void request(Request request);
   /// Drops the running and the waiting request.
   void cancel();
-  /// Answers, between requests, what an element of a layer is, for the inputs and settings of the last request that ran.
-  /// Only the newest waiting question is answered.
+  /// Answers, between requests, what an element of a layer is, for the inputs and settings of the last request that
+  /// ran. Only the newest waiting question is answered.
   void describe(std::string layer, std::size_t element, std::function<void(Element_description)> answer);
 
  private:

@@ -47,6 +47,16 @@ inline Fact fact(std::string name, const Point_2& p) {
   return {std::move(name), "(" + format_number(p.x) + ", " + format_number(p.y) + ")"};
 }
 
+/// "1, 2 and 3".
+inline std::string enumeration(std::span<const int> numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) text.append(i + 1 == numbers.size() ? " and " : ", ");
+    text.append(std::to_string(numbers[i]));
+  }
+  return text;
+}
+
 /// A default look. Modules choose colours so that the layers of one picture can be told apart, also by the
 /// colour-blind.
 inline Style look(Color color, double line_width = 1.5) {

@@ -2,6 +2,7 @@
 #include "core/batch/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -72,15 +73,13 @@ Settings read_settings(const std::vector<std::string>& assignments, const Regist
 
 std::pair<int, int> read_size(const std::string& text) {
   const auto cross = text.find('x');
-  const auto width = parse_number(text.substr(0, cross));
-  const auto height = cross == std::string::npos ? std::nullopt : parse_number(text.substr(cross + 1));
+  const double width = parse_number(text.substr(0, cross)).value_or(0);
+  const double height = cross == std::string::npos ? 0 : parse_number(text.substr(cross + 1)).value_or(0);
   constexpr double most_pixels = 32768;
-  const auto is_good = [](const std::optional<double>& n) {
-    return n && *n >= 1 && *n <= most_pixels && *n == static_cast<int>(*n);
-  };
+  const auto is_good = [](double n) { return n >= 1 && n <= most_pixels && n == std::floor(n); };
   if (!is_good(width) || !is_good(height))
     throw Usage_error("--size: expected WIDTHxHEIGHT with numbers from 1 to 32768, found '" + text + "'");
-  return {static_cast<int>(*width), static_cast<int>(*height)};
+  return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 /// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.

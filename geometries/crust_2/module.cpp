@@ -26,7 +26,7 @@ Element_description describe_crust_edge(Context& context, std::size_t element) {
   Element_description description;
   if (element >= crust->edges.size()) return description;
   const auto [a, b] = crust->edges[element];
-  description.facts.push_back({"joins samples", std::to_string(a) + " and " + std::to_string(b)});
+  description.facts.push_back({"joins samples", enumeration(crust->edges[element])});
   description.facts.push_back(fact("length", distance(triangulation->points[a], triangulation->points[b])));
   add_point(description.dual, triangulation->points[a]);
   add_point(description.dual, triangulation->points[b]);

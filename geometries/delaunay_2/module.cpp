@@ -137,7 +137,7 @@ Element_description describe_edge(Context& context, std::size_t element, bool as
   const auto [a, b] = triangulation->edge(edge.triangle, edge.corner);
   const Point_2& p = triangulation->points[a];
   const Point_2& q = triangulation->points[b];
-  description.facts.push_back({"between samples", std::to_string(a) + " and " + std::to_string(b)});
+  description.facts.push_back({"between samples", enumeration(std::array{a, b})});
   description.facts.push_back(fact("distance of the samples", distance(p, q)));
   const int other = triangulation->neighbors[edge.triangle][edge.corner];
   if (other >= 0) {
@@ -165,8 +165,7 @@ Element_description describe_disk(Context& context, std::size_t element) {
   Element_description description;
   if (element >= voronoi->radii.size()) return description;
   const auto& [a, b, c] = triangulation->triangles[element];
-  description.facts.push_back(
-      {"touches samples", std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c)});
+  description.facts.push_back({"touches samples", enumeration(triangulation->triangles[element])});
   description.facts.push_back(fact("center", voronoi->vertices[element]));
   for (const int corner : {a, b, c}) add_point(description.dual, triangulation->points[corner]);
   description.dual.triangles.push_back({0, 1, 2});

@@ -150,7 +150,13 @@ void Local_editor::insert_point(int point, const Point_2& position) {
   auto face = triangulation_.incident_faces(vertex);
   const auto done = face;
   do {
-    if (!triangulation_.is_infinite(face)) star.push_back(face);
+    if (!triangulation_.is_infinite(face)) {
+      star.push_back(face);
+    } else if (int& t = face->info().value; t >= 0) {
+      // The point lies on a hull edge: CGAL's flip made the finite face there the infinite one beyond it.
+      free_.push_back(t);
+      t = -1;
+    }
   } while (++face != done);
   for (const Face_handle& f : star) enter(f);
 }

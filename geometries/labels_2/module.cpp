@@ -59,8 +59,7 @@ Element_description describe_vertex(Context& context, std::size_t element, bool 
   for (std::size_t t = 0; t < labels->is_inner.size(); ++t) {
     if ((labels->is_inner[t] != 0) != inner || element-- != 0) continue;
     const auto& [a, b, c] = triangulation->triangles[t];
-    description.facts.push_back(
-        {"touches samples", std::to_string(a) + ", " + std::to_string(b) + " and " + std::to_string(c)});
+    description.facts.push_back({"touches samples", enumeration(triangulation->triangles[t])});
     description.facts.push_back(fact("center", voronoi->vertices[t]));
     for (const int corner : {a, b, c}) add_point(description.dual, triangulation->points[corner]);
     description.dual.triangles.push_back({0, 1, 2});

@@ -42,7 +42,7 @@ Element_description describe_axis_element(Context& context, std::size_t element)
   if (e >= axis->edges.size()) return description;
   const auto [a, b] = axis->edges[e];
   const auto [p, q] = axis->contacts[e];
-  description.facts.push_back({"contact samples", std::to_string(p) + " and " + std::to_string(q)});
+  description.facts.push_back({"contact samples", enumeration(axis->contacts[e])});
   description.facts.push_back(
       {"radii at the ends", format_number(axis->radii[a]) + " and " + format_number(axis->radii[b])});
   description.facts.push_back(fact("length", distance(axis->centers[a], axis->centers[b])));
