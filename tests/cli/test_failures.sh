@@ -71,7 +71,7 @@ refuse bad/empty.wkt "empty"
 : >bad/empty.png
 refuse bad/empty.png ""
 mkdir bad/folder.xy
-refuse bad/folder.xy "directory"
+refuse bad/folder.xy "folder"
 refuse bad/missing.xy ""
 cp good.xy bad/unknown.extension
 refuse bad/unknown.extension ".wkt"

@@ -7,21 +7,17 @@ inputs=("$examples/giraffe.wkt" "$examples/italy.wkt" "$examples/noisy_giraffe_0
 arguments=(--nogui --formats json,svg,png,pdf,ply,csv,obj
   --layers delaunay,one-step-crust,medial-axis,lambda-medial-axis,angle-medial-axis,scale-medial-axis-disks)
 
-quiet_run() {
-  run "${arguments[@]}" "${inputs[@]}" "$@"
-  expect_status 0
-}
-quiet_run --output first --threads 1
+succeed "${arguments[@]}" "${inputs[@]}" --output first --threads 1
 cp stderr first_stderr
-quiet_run --output second --threads 1
+succeed "${arguments[@]}" "${inputs[@]}" --output second --threads 1
 expect_same first second
-quiet_run --output two_threads --threads 2
+succeed "${arguments[@]}" "${inputs[@]}" --output two_threads --threads 2
 expect_same first two_threads
 cmp -s stderr first_stderr || fail "expected the same warnings"
-quiet_run --output jobs --jobs 3
+succeed "${arguments[@]}" "${inputs[@]}" --output jobs --jobs 3
 expect_same first jobs
 
 # Neither the order of the inputs nor their company matters.
 inputs=(ellipse.xy "$examples/italy.wkt")
-quiet_run --output alone
+succeed "${arguments[@]}" "${inputs[@]}" --output alone
 for file in alone/*; do cmp -s "$file" "first/${file#alone/}" || fail "expected $file as in the first run"; done

@@ -7,7 +7,7 @@ write_ellipse ellipse.xy
 succeed --help
 for option in --nogui --layers --set --output --formats --size --view --stats --jobs --resume --list --json --seed \
   --threads --log --version --help; do
-  expect_in stdout " $option"
+  grep -qE -- "^ +(-.,)?$option( |$)" stdout || fail "expected the option $option"
 done
 succeed --version
 grep -qE '^mesecina2d [0-9]+\.[0-9]+\.[0-9]+$' stdout || fail "expected a name and a version"
