@@ -145,6 +145,18 @@ TEST(Painter_canvas, huge_circles_and_disks_cross_the_page_where_they_should) {
   }
 }
 
+TEST(Painter_canvas, huge_arcs_end_at_their_vertices) {
+  const double radius = 1e9;
+  Primitive_set set = with_vertices({{50, 50.5, 0}, {150, 50.5, 0}});
+  set.arcs = {{{100, 50.5 - radius}, radius, 0, 1, false}};
+  Scene_layer layer = layer_of(std::move(set));
+  layer.style.line_width = 2;
+  const Painted painted(layer);
+  EXPECT_GT(painted.ink(52.5, 50.5), 0.6);
+  EXPECT_GT(painted.ink(147.5, 50.5), 0.6);
+  EXPECT_NEAR(painted.area(), 200, 4) << "nothing beyond the ends";
+}
+
 TEST(Painter_canvas, a_disk_around_the_whole_page_covers_it) {
   Primitive_set set = with_vertices({{-5e11, 0, 0}});
   set.balls = {{0, 1e12}};
