@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/delaunay_2/delaunay_2.h"
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
@@ -91,6 +92,31 @@ Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress) {
   return result;
 }
 
+namespace {
+
+struct Circle {
+  Point_2 center;
+  double radius = 0;
+};
+
+/// For triangles so thin that rounding would leave nothing of their area.
+Circle exact_circumcircle(const Point_2& p, const Point_2& q, const Point_2& r) {
+  using Rational = CGAL::Exact_rational;
+  const Rational qx = Rational(q.x) - Rational(p.x);
+  const Rational qy = Rational(q.y) - Rational(p.y);
+  const Rational rx = Rational(r.x) - Rational(p.x);
+  const Rational ry = Rational(r.y) - Rational(p.y);
+  const Rational q2 = qx * qx + qy * qy;
+  const Rational r2 = rx * rx + ry * ry;
+  const Rational twice_cross = 2 * (qx * ry - qy * rx);
+  const Rational cx = (ry * q2 - qy * r2) / twice_cross;
+  const Rational cy = (qx * r2 - rx * q2) / twice_cross;
+  return {{CGAL::to_double(Rational(p.x) + cx), CGAL::to_double(Rational(p.y) + cy)},
+          std::hypot(CGAL::to_double(cx), CGAL::to_double(cy))};
+}
+
+}  // namespace
+
 Voronoi_2 voronoi(const Delaunay_2& triangulation, Progress& progress) {
   Voronoi_2 result;
   const std::size_t count = triangulation.triangles.size();
@@ -114,6 +140,13 @@ Voronoi_2 voronoi(const Delaunay_2& triangulation, Progress& progress) {
     const double srx = rx * scale;
     const double sry = ry * scale;
     const double twice_cross = 2 * (sqx * sry - sqy * srx);
+    constexpr double smallest_trusted_part = 1e-10;
+    if (!(std::abs(twice_cross) > smallest_trusted_part * (std::abs(sqx * sry) + std::abs(sqy * srx)))) {
+      const auto [center, radius] = exact_circumcircle(p, q, r);
+      result.vertices[t] = center;
+      result.radii[t] = radius;
+      return;
+    }
     const double q2 = sqx * sqx + sqy * sqy;
     const double r2 = srx * srx + sry * sry;
     const double cx = (sry * q2 - sqy * r2) / twice_cross / scale;
