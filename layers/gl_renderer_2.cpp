@@ -38,6 +38,13 @@ std::array<float, 4> to_floats(const Color& color, double alpha) {
   return {color.red / 255.0F, color.green / 255.0F, color.blue / 255.0F, static_cast<float>(alpha)};
 }
 
+/// Into how many quadrilaterals the strip along a circle is divided. Its corners stand out from the circle by about
+/// r (pi / n)^2 / 2 pixels, two here. For small circles a square has fewer pixels to look at than many small pieces.
+int pieces_of_circle(double radius, bool filled) {
+  if (radius < (filled ? 40 : 16)) return 1;
+  return std::clamp(static_cast<int>(std::ceil(1.6 * std::sqrt(radius))), 6, 64);
+}
+
 struct Color_map_texture {
   Gl_texture texture;
   int texels = 0;
@@ -272,9 +279,7 @@ void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look,
       case Part::balls: {
         begin_program(circles, layer, look, *near);
         if (part == Part::arcs) circles.set("filled", false);
-        // The corners of a strip of n pieces stand out from the circle by about r (pi / n)^2 / 2.
-        const double radius = near->typical_radius * scale;
-        const int pieces = std::clamp(static_cast<int>(std::ceil(1.6 * std::sqrt(radius))), 6, 64);
+        const int pieces = pieces_of_circle(near->typical_radius * scale, part == Part::balls && layer.style.filled);
         draw(circles, *near, circle_sizes, GL_TRIANGLE_STRIP, 2 * pieces + 2);
         break;
       }

@@ -14,7 +14,8 @@ flat out float covered;
 
 const float full_turn = 6.28318530718;
 
-// A strip of `pieces` quadrilaterals along the curve, as narrow as it can be around the band that is painted.
+// A strip of `pieces` quadrilaterals along the curve, as narrow as it can be around the band that is painted; of one
+// piece: a square around the circle.
 void main() {
   center = to_pixels(circle.xy);
   radius = circle.z * scale;
@@ -27,6 +28,11 @@ void main() {
   vec2 beyond = max(abs(center) - half_size, vec2(0.0));
   if (!is_drawn() || length(beyond) > radius + reach) {
     gl_Position = nowhere;
+    return;
+  }
+  if (pieces == 1) {
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+    gl_Position = at_pixel(center + corner * (radius + reach));
     return;
   }
   float padding = reach >= radius ? full_turn : reach / radius * 1.6;

@@ -257,7 +257,7 @@ TEST_F(Gl_picture, OverlayIsAboveAllLayers) {
   const QImage out = drawn(example_scene(), whole);
   Scene scene = example_scene();
   scene.layers.push_back(above);
-  EXPECT_TRUE(same_picture(out, painted(scene, whole), "overlay"));
+  EXPECT_TRUE(same_picture(out, painted(scene, whole, canvas_.devicePixelRatioF()), "overlay"));
 }
 
 TEST_F(Gl_picture, EmptySetsAndHiddenLayersShowNothing) {
