@@ -20,6 +20,7 @@ Temporary_folder::~Temporary_folder() { std::filesystem::remove_all(path_); }
 
 std::filesystem::path Temporary_folder::write(std::string_view name, std::string_view text) const {
   const std::filesystem::path file = path_ / name;
+  std::filesystem::remove(file);  // some file systems wait for the disk when a file is cut to nothing and written anew
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
