@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometries/parallel.h"
 
@@ -156,8 +157,10 @@ Node Node::around(std::span<const Disk> disks) {
   return node;
 }
 
-/// Disks in Hilbert order under a tree of boxes; level 0 holds the leaves.
-class Hierarchy {
+}  // namespace
+
+/// Disks in Hilbert order under a tree of nodes; level 0 holds the leaves.
+class Scale_importance::Hierarchy {
  public:
   Hierarchy(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -188,13 +191,14 @@ class Hierarchy {
     }
   }
 
+  /// Per position in the order, the entry (index at construction) there.
   const std::vector<int>& order() const { return order_; }
 
-  /// The importance of the disk at `position`. `candidate`, when not -1, is the position of a likely witness; it is set
-  /// to the one found, and left alone if there is none.
-  double importance(std::size_t position, int& candidate) const {
-    const Disk& disk = disks_[position];
-    double best = candidate >= 0 ? quotient(disk, disks_[candidate]) : infinity;
+  /// The importance of `disk` among the entries that are still there. `candidate`, when not -1, is the position of a
+  /// likely witness; it is set to the one found, and left alone if there is none.
+  double importance(const Disk& disk, std::span<const int> disk_of_entry, int& candidate) const {
+    const auto is_there = [&](std::size_t position) { return disk_of_entry[order_[position]] >= 0; };
+    double best = candidate >= 0 && is_there(candidate) ? quotient(disk, disks_[candidate]) : infinity;
     double squared_best = best * best;
 
     struct Visit {
@@ -213,7 +217,7 @@ class Hierarchy {
         const std::size_t end = std::min(disks_.size(), (std::size_t{visit.node} + 1) * leaf_size);
         for (std::size_t i = std::size_t{visit.node} * leaf_size; i < end; ++i) {
           const double value = quotient(disk, disks_[i]);
-          if (value < best) {
+          if (value < best && is_there(i)) {
             best = value;
             squared_best = best * best;
             candidate = static_cast<int>(i);
@@ -243,30 +247,44 @@ class Hierarchy {
   std::vector<std::vector<Node>> levels_;
 };
 
-/// Values and witnesses of the disks named by `wanted`, written into `result`.
-void search(std::span<const Point_2> centers, std::span<const double> radii, std::span<const std::uint8_t> wanted,
-            Scale_importance& result, Progress& progress) {
-  const Hierarchy hierarchy(centers, radii, progress);
-  const auto& order = hierarchy.order();
+namespace {
+
+/// The exchanged disks may be this many before a new hierarchy pays.
+constexpr std::size_t most_outside_hierarchy = 256;
+
+bool is_less(const Disk& disk, const Disk& larger, double value) {
+  const double growth = larger.radius - disk.radius;
+  if (!(growth > 0)) return false;
+  const double dx = larger.x - disk.x;
+  const double dy = larger.y - disk.y;
+  // Without root and division nearly all disks are dismissed; rounding is left to the exact comparison.
+  if (dx * dx + dy * dy > value * value * (growth * growth) * (1 + 16 * unit_roundoff)) return false;
+  return quotient(disk, larger) < value;
+}
+
+}  // namespace
+
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
+  Scale_importance result;
+  result.values.assign(centers.size(), infinity);
+  result.witnesses.assign(centers.size(), -1);
+  result.disk_of_entry.resize(centers.size());
+  std::iota(result.disk_of_entry.begin(), result.disk_of_entry.end(), 0);
+  if (centers.empty()) return result;
+  const auto hierarchy = std::make_shared<const Scale_importance::Hierarchy>(centers, radii, progress);
+  const auto& order = hierarchy->order();
   constexpr std::size_t block = 512;
   parallel_blocks((order.size() + block - 1) / block, progress, [&](std::size_t b) {
     // Neighbours in the order often share their witness, which makes a good start.
     int candidate = -1;
     const std::size_t end = std::min(order.size(), (b + 1) * block);
     for (std::size_t position = b * block; position < end; ++position) {
-      const int index = order[position];
-      if (!wanted.empty() && !wanted[index]) continue;
-      result.values[index] = hierarchy.importance(position, candidate);
-      result.witnesses[index] = result.values[index] < infinity ? order[candidate] : -1;
+      const int i = order[position];
+      result.values[i] = hierarchy->importance({centers[i].x, centers[i].y, radii[i]}, result.disk_of_entry, candidate);
+      if (result.values[i] < infinity) result.witnesses[i] = order[candidate];
     }
   });
-}
-
-}  // namespace
-
-Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
-  Scale_importance result{std::vector<double>(centers.size(), infinity), std::vector<int>(centers.size(), -1)};
-  if (!centers.empty()) search(centers, radii, {}, result, progress);
+  result.hierarchy = hierarchy;
   return result;
 }
 
@@ -283,51 +301,43 @@ Scale_importance update_scale_importance(const Scale_importance& old, std::span<
       added.push_back(static_cast<int>(i));
     }
   }
-  constexpr std::size_t most_added = 64;
-  if (added.size() > most_added) return scale_importance(centers, radii, progress);
+  Scale_importance result;
+  result.hierarchy = old.hierarchy;
+  result.disk_of_entry.reserve(old.disk_of_entry.size());
+  std::vector<bool> is_inside(count, false);
+  for (const int disk : old.disk_of_entry) {
+    const int now = disk < 0 ? -1 : new_index[disk];
+    result.disk_of_entry.push_back(now);
+    if (now >= 0) is_inside[now] = true;
+  }
+  std::vector<int> outside;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!is_inside[i]) outside.push_back(static_cast<int>(i));
+  if (!old.hierarchy || outside.size() > most_outside_hierarchy) return scale_importance(centers, radii, progress);
 
-  Scale_importance result{std::vector<double>(count, infinity), std::vector<int>(count, -1)};
-  std::vector<std::uint8_t> wanted(count, 0);
-  std::size_t wanted_count = 0;
-  const auto disk = [&](int i) { return Disk{centers[i].x, centers[i].y, radii[i]}; };
-  for (std::size_t i = 0; i < count; ++i) {
+  result.values.assign(count, infinity);
+  result.witnesses.assign(count, -1);
+  const auto& order = result.hierarchy->order();
+  const auto disk = [&](std::size_t i) { return Disk{centers[i].x, centers[i].y, radii[i]}; };
+  parallel_for(count, progress, [&](std::size_t i) {
+    const Disk self = disk(i);
     const int before = old_index[i];
     const int witness = before < 0 ? -1 : old.witnesses[before];
-    if (before < 0 || (witness >= 0 && new_index[witness] < 0)) {
-      wanted[i] = 1;
-      ++wanted_count;
-      continue;
+    const bool is_lost = before < 0 || (witness >= 0 && new_index[witness] < 0);
+    if (is_lost) {
+      int candidate = -1;
+      result.values[i] = result.hierarchy->importance(self, result.disk_of_entry, candidate);
+      if (result.values[i] < infinity) result.witnesses[i] = result.disk_of_entry[order[candidate]];
+    } else {
+      result.values[i] = old.values[before];
+      if (witness >= 0) result.witnesses[i] = new_index[witness];
     }
-    result.values[i] = before < 0 ? infinity : old.values[before];
-    result.witnesses[i] = witness < 0 ? -1 : new_index[witness];
-    const Disk self = disk(static_cast<int>(i));
-    for (const int a : added) {
-      const double value = quotient(self, disk(a));
-      if (value < result.values[i]) {
-        result.values[i] = value;
-        result.witnesses[i] = a;
-      }
+    for (const int other : is_lost ? outside : added) {
+      if (!is_less(self, disk(other), result.values[i])) continue;
+      result.values[i] = quotient(self, disk(other));
+      result.witnesses[i] = other;
     }
-  }
-  // A hierarchy pays only for many searches; a few disks are compared with all.
-  constexpr std::size_t few = 48;
-  if (wanted_count > few) {
-    search(centers, radii, wanted, result, progress);
-    return result;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!wanted[i]) continue;
-    progress.check();
-    const Disk self = disk(static_cast<int>(i));
-    for (std::size_t other = 0; other < count; ++other) {
-      if (!(radii[other] > self.radius)) continue;
-      const double value = quotient(self, disk(static_cast<int>(other)));
-      if (value < result.values[i]) {
-        result.values[i] = value;
-        result.witnesses[i] = static_cast<int>(other);
-      }
-    }
-  }
+  });
   return result;
 }
 

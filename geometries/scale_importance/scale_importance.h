@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace mesecina {
 struct Scale_importance {
   std::vector<double> values;
   std::vector<int> witnesses;  ///< per disk an index B' that attains the minimum; -1 where there is none
+
+  /// What an update searches in: a hierarchy of the disks of the last full computation, and which disk each of these is
+  /// now, -1 for those that are gone.
+  class Hierarchy;
+  std::shared_ptr<const Hierarchy> hierarchy;
+  std::vector<int> disk_of_entry;
 };
 
 /// By a bounding volume hierarchy over (center, radius); near-linear in practice. Radii must be finite and >= 0.
@@ -22,8 +29,8 @@ struct Scale_importance {
 Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress);
 
 /// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged; -1
-/// for a new one. `old` is what scale_importance returned for the old disks. Equal values to those of a full
-/// computation. O(n) for a few exchanged disks.
+/// for a new one. `old` is what scale_importance or this returned for the old disks. Equal values to those of a full
+/// computation. O(n) with a small constant for a few exchanged disks.
 Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
                                          std::span<const Point_2> centers, std::span<const double> radii,
                                          Progress& progress);
