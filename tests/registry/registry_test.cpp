@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every module promises: ids, labels and help for all it declares, and layers that compute without a window.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <regex>
+#include <set>
+
+#include "core/graph.h"
+#include "geometries/modules_2.h"
+
+namespace mesecina {
+namespace {
+
+std::vector<Point_2> wavy_curve(std::size_t count) {
+  std::vector<Point_2> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    const double r = 1 + 0.25 * std::cos(4 * t) + 0.1 * std::sin(3 * t);
+    points.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return points;
+}
+
+Inputs example() {
+  Image image;
+  image.width = image.height = 1;
+  image.rgba = {0, 0, 0, 255};
+  return Inputs().with(points_input, wavy_curve(200)).with(image_input, image);
+}
+
+/// The layers that an issue of the project names; others may come, none may go.
+const std::set<std::string> promised_layers = {"points",
+                                               "outline",
+                                               "image",
+                                               "delaunay",
+                                               "voronoi",
+                                               "voronoi-disks",
+                                               "inner-voronoi-disks",
+                                               "outer-voronoi-disks",
+                                               "inner-voronoi-vertices",
+                                               "outer-voronoi-vertices",
+                                               "one-step-crust",
+                                               "curve-normals",
+                                               "label-conflicts",
+                                               "full-medial-axis",
+                                               "medial-axis",
+                                               "lambda-medial-axis",
+                                               "angle-medial-axis",
+                                               "scale-medial-axis",
+                                               "lambda-medial-axis-disks",
+                                               "angle-medial-axis-disks",
+                                               "scale-medial-axis-disks"};
+
+TEST(Registry_2, EveryPromisedLayerIsThere) {
+  const auto registry = make_registry_2();
+  std::set<std::string> ids;
+  for (const Layer_spec& layer : registry->layers()) ids.insert(layer.id);
+  for (const std::string& id : promised_layers) EXPECT_TRUE(ids.contains(id)) << id;
+}
+
+TEST(Registry_2, EveryEntryHasAKebabCaseIdALabelAndItsOwnHelp) {
+  const auto registry = make_registry_2();
+  const std::regex kebab_case("[a-z0-9]+(-[a-z0-9]+)*");
+  std::set<std::string> helps;
+  const auto check = [&](const std::string& id, const std::string& label, const std::string& help) {
+    EXPECT_TRUE(std::regex_match(id, kebab_case)) << id;
+    EXPECT_FALSE(label.empty()) << id;
+    EXPECT_GE(help.size(), 20u) << id;
+    EXPECT_TRUE(helps.insert(help).second) << id << " has the help of another entry";
+    EXPECT_NE(registry->module_of(id), nullptr) << id;
+  };
+  for (const Layer_spec& layer : registry->layers()) {
+    check(layer.id, layer.label, layer.help);
+    EXPECT_FALSE(layer.stage.empty()) << layer.id;
+    EXPECT_TRUE(layer.build) << layer.id;
+  }
+  for (const Setting_spec& setting : registry->settings()) check(setting.id, setting.label, setting.help);
+}
+
+TEST(Registry_2, EveryDefaultIsValidAndReadsBackFromItsText) {
+  const auto registry = make_registry_2();
+  for (const Setting_spec& setting : registry->settings()) {
+    EXPECT_NO_THROW(check_setting(setting, setting.default_value)) << setting.id;
+    EXPECT_EQ(parse_setting(setting, to_text(setting.default_value)), setting.default_value) << setting.id;
+  }
+}
+
+TEST(Registry_2, EveryLayerIsComputedOnAnExampleAndItsValuesFitItsElements) {
+  const auto registry = make_registry_2();
+  Graph graph(registry);
+  graph.set_inputs(example());
+  Progress progress;
+  for (const Layer_spec& layer : registry->layers()) {
+    const auto outcome = graph.layer(layer.id, progress);
+    if (layer.id == "outline") {
+      EXPECT_THAT(outcome.reason, testing::HasSubstr("outline"));
+      continue;
+    }
+    ASSERT_TRUE(outcome) << layer.id << ": " << outcome.reason;
+    if (layer.id != "label-conflicts") EXPECT_FALSE(outcome.value->is_empty()) << layer.id;
+    for (const Values& values : outcome.value->values)
+      EXPECT_EQ(values.data.size(), outcome.value->element_count()) << layer.id << " " << values.name;
+    if (!outcome.value->ids.empty()) EXPECT_EQ(outcome.value->ids.size(), outcome.value->element_count()) << layer.id;
+    if (const auto cut = registry->cut(layer, {}))
+      EXPECT_NE(outcome.value->find_values(cut->value), nullptr) << layer.id;
+    if (layer.describe && outcome.value->element_count() > 0)
+      EXPECT_FALSE(graph.describe(layer.id, 0, progress).facts.empty()) << layer.id;
+  }
+}
+
+TEST(Registry_2, EveryLayerHasAReasonWhereThereIsNothing) {
+  const auto registry = make_registry_2();
+  Graph graph(registry);
+  Progress progress;
+  for (const Layer_spec& layer : registry->layers()) {
+    const auto outcome = graph.layer(layer.id, progress);
+    EXPECT_FALSE(outcome) << layer.id;
+    EXPECT_FALSE(outcome.reason.empty()) << layer.id;
+    EXPECT_THAT(outcome.reason, testing::Not(testing::HasSubstr("internal error"))) << layer.id;
+  }
+}
+
+TEST(Registry_2, DegenerateInputsGiveAValueOrAReasonButNoInternalError) {
+  const auto registry = make_registry_2();
+  std::vector<Point_2> grid;
+  for (int i = 0; i < 64; ++i) grid.push_back({static_cast<double>(i % 8), static_cast<double>(i / 8)});
+  const std::vector<std::vector<Point_2>> cases = {{{1, 2}},
+                                                   {{1, 2}, {1, 2}},
+                                                   {{0, 0}, {1, 1}},
+                                                   {{0, 0}, {1, 1}, {2, 2}, {3, 3}},
+                                                   {{0, 0}, {1, 0}, {0, 1}},
+                                                   {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                                   grid};
+  for (const auto& points : cases) {
+    Graph graph(registry);
+    graph.set_inputs(Inputs().with(points_input, points));
+    Progress progress;
+    for (const Layer_spec& layer : registry->layers()) {
+      const auto outcome = graph.layer(layer.id, progress);
+      EXPECT_TRUE(outcome || !outcome.reason.empty());
+      EXPECT_THAT(outcome.reason, testing::Not(testing::HasSubstr("internal error"))) << layer.id << points.size();
+    }
+  }
+}
+
+TEST(Registry_2, MovingALimitOrTheTopologySwitchComputesNothing) {
+  const auto registry = make_registry_2();
+  Graph graph(registry);
+  graph.set_inputs(example());
+  Progress progress;
+  ASSERT_TRUE(graph.layer("scale-medial-axis", progress));
+  graph.clear_stages();
+  graph.set_settings(Settings().with("scale-limit", 1.7).with("topology-preserving", false));
+  ASSERT_TRUE(graph.layer("scale-medial-axis", progress));
+  EXPECT_TRUE(graph.stages().empty());
+  EXPECT_EQ(registry->cut(*registry->find_layer("scale-medial-axis"), graph.settings()), (Cut{"scale", 1.7}));
+  EXPECT_EQ(registry->cut(*registry->find_layer("scale-medial-axis"), {}), (Cut{"scale-monotone", 1.1}));
+}
+
+TEST(Registry_2, DraggingASampleGivesWhatAFreshGraphGives) {
+  const auto registry = make_registry_2();
+  std::vector<Point_2> points = wavy_curve(400);
+  Graph dragged(registry);
+  Progress progress;
+  for (int step = 0; step < 30; ++step) {
+    points[100] = {points[100].x + 0.01 * std::sin(step), points[100].y + 0.012 * std::cos(3 * step)};
+    dragged.set_inputs(Inputs().with(points_input, points));
+    const auto moved = dragged.layer("scale-medial-axis", progress);
+    Graph fresh(registry);
+    fresh.set_inputs(Inputs().with(points_input, points));
+    const auto expected = fresh.layer("scale-medial-axis", progress);
+    ASSERT_TRUE(moved && expected);
+    for (const char* name : {"scale", "scale-monotone"}) {
+      std::vector<double> a = moved.value->find_values(name)->data;
+      std::vector<double> b = expected.value->find_values(name)->data;
+      std::ranges::sort(a);
+      std::ranges::sort(b);
+      ASSERT_EQ(a.size(), b.size()) << step;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        if (std::isinf(b[i])) {
+          EXPECT_EQ(a[i], b[i]) << name << " at step " << step;
+        } else {
+          EXPECT_NEAR(a[i], b[i], 1e-9 * b[i]) << name << " at step " << step;
+        }
+      }
+    }
+  }
+  bool updated = false;
+  for (const Graph::Stage& stage : dragged.stages()) updated = updated || (stage.id == "ball-scale-2" && stage.updated);
+  EXPECT_TRUE(updated);
+}
+
+}  // namespace
+}  // namespace mesecina
