@@ -40,7 +40,24 @@ struct Graph::Node {
   std::uint64_t verified_at = 0;
   std::uint64_t computations = 0;
   bool running = false;
+  bool checking = false;  ///< whether what it read is still current is being found out
 };
+
+namespace {
+
+/// Sets a flag of a node for as long as this lives.
+class Mark {
+ public:
+  explicit Mark(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Mark() { flag_ = false; }
+  Mark(const Mark&) = delete;
+  Mark& operator=(const Mark&) = delete;
+
+ private:
+  bool& flag_;
+};
+
+}  // namespace
 
 struct Graph::State {
   std::shared_ptr<const Registry> registry;
@@ -80,6 +97,8 @@ std::shared_ptr<const void> Context::structure(std::string_view id, std::type_in
     });
     if (!known) frame_.node->reads.push_back(Read_node{std::string(id)});
   }
+  // What is being checked reads, so far as is known, the very structure that asks here.
+  if (graph_.state_->node(id).checking) throw std::logic_error("structure '" + std::string(id) + "' depends on itself");
   const auto start = Clock::now();
   Graph::Node& node = graph_.state_->refresh(graph_, id);
   frame_.waited += seconds_since(start);
@@ -147,7 +166,8 @@ std::uint64_t Graph::State::changed_at(const Read& read) {
 bool Graph::State::is_current(std::string_view id) {
   Node& n = node(id);
   if (n.computed_at == 0) return false;
-  if (n.verified_at == revision) return true;
+  if (n.verified_at == revision || n.checking) return true;
+  const Mark checking(n.checking);
   for (const Read& read : n.reads) {
     if (const auto* other = std::get_if<Read_node>(&read); other && !is_current(other->id)) return false;
     if (changed_at(read) > n.computed_at) return false;
@@ -159,10 +179,12 @@ bool Graph::State::is_current(std::string_view id) {
 Graph::Node& Graph::State::refresh(Graph& graph, std::string_view id) {
   Node& n = node(id);
   if (n.running) throw std::logic_error("structure '" + std::string(id) + "' depends on itself");
-  if (n.computed_at != 0 && n.verified_at == revision) return n;
+  // Nodes that read each other are all failures; asked again by one that it rests on, such a node has not changed.
+  if (n.computed_at != 0 && (n.verified_at == revision || n.checking)) return n;
   if (n.computed_at != 0) {
     // In the order in which they were read: a later read may only have happened because of what an earlier one said.
     bool stale = false;
+    const Mark checking(n.checking);
     const std::vector<Read> reads = n.reads;
     for (const Read& read : reads) {
       if (const auto* other = std::get_if<Read_node>(&read)) refresh(graph, other->id);
@@ -190,11 +212,7 @@ void Graph::State::compute(Graph& graph, std::string_view id, Node& n) {
   n.warnings.clear();
   n.reads.clear();
   n.computed_at = 0;
-  n.running = true;
-  struct Running {
-    Node& node;
-    ~Running() { node.running = false; }
-  } running{n};
+  const Mark running(n.running);
 
   Context::Frame frame{&n, 0};
   Context context(graph, frame);

@@ -29,6 +29,7 @@ struct Worker::State {
         patience(patience_) {}
 
   void run(const std::stop_token& stop);
+  void watch(const std::stop_token& stop);
   void serve(Request request);
   void answer(Question question);
 
@@ -47,12 +48,14 @@ struct Worker::State {
   Clock::time_point running_since;
   bool replaced_last = false;  ///< the previous request was stopped in favour of the running one
   std::jthread thread;
+  std::jthread watcher;  ///< stops what has run for too long while a newer request waits
 };
 
 Worker::Worker(std::shared_ptr<const Registry> registry, int threads, Listener listener, Deliver deliver,
                double patience)
     : state_(std::make_unique<State>(std::move(registry), threads, std::move(listener), std::move(deliver), patience)) {
   state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
+  state_->watcher = std::jthread([state = state_.get()](const std::stop_token& stop) { state->watch(stop); });
 }
 
 Worker::~Worker() {
@@ -64,13 +67,6 @@ Worker::~Worker() {
 
 void Worker::request(Request request) {
   const std::lock_guard lock(state_->mutex);
-  if (state_->is_running) {
-    const double allowed = state_->replaced_last ? 10 * state_->patience : state_->patience;
-    if (seconds_since(state_->running_since) > allowed) {
-      state_->running.request_stop();
-      state_->replaced_last = true;
-    }
-  }
   state_->waiting = std::move(request);
   state_->wake.notify_all();
 }
@@ -113,6 +109,25 @@ void Worker::State::run(const std::stop_token& stop) {
   }
 }
 
+void Worker::State::watch(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  const auto is_contested = [&] { return is_running && waiting && !running.stop_requested(); };
+  while (!stop.stop_requested()) {
+    if (!is_contested()) {
+      wake.wait(lock, stop, is_contested);
+      continue;
+    }
+    const std::chrono::duration<double> allowed(replaced_last ? 10 * patience : patience);
+    const auto deadline = running_since + std::chrono::duration_cast<Clock::duration>(allowed);
+    if (Clock::now() < deadline) {
+      wake.wait_until(lock, stop, deadline, [&] { return !is_contested(); });
+    } else {
+      running.request_stop();
+      replaced_last = true;
+    }
+  }
+}
+
 void Worker::State::serve(Request request) {
   const std::uint64_t ticket = request.ticket;
   const auto report = [this, ticket, last = Clock::time_point()](std::string_view stage, double fraction) mutable {
@@ -133,7 +148,13 @@ void Worker::State::serve(Request request) {
         if (call) call(ticket, layer);
       });
       const auto start = Clock::now();
-      Layer_result result{ticket, layer, graph.layer(layer, progress), graph.warnings(layer), 0};
+      Layer_result result{ticket, layer, {}, {}, 0};
+      if (graph.registry().find_layer(layer)) {
+        result.outcome = graph.layer(layer, progress);
+        result.warnings = graph.warnings(layer);
+      } else {
+        result.outcome.reason = "no layer '" + layer + "'";
+      }
       result.seconds = seconds_since(start);
       deliver([call = listener.finished_layer, result = std::move(result)]() mutable {
         if (call) call(std::move(result));
