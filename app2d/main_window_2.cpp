@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app2d/main_window_2.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app2d/generators_2.h"
+#include "app2d/overlay_2.h"
+#include "app2d/popovers_2.h"
+#include "core/formats/number.h"
+#include "layers/panel_paint.h"
+
+// The macro needs the global namespace.
+static void load_icons() { Q_INIT_RESOURCE(icons); }
+
+namespace mesecina {
+
+namespace {
+
+/// A few layers that tell a story together: samples, their Voronoi diagram, the curve and what is inside it.
+Layer_list first_look(const Registry& registry, const std::vector<std::string>& visible) {
+  Layer_list layers = default_layers(registry);
+  if (!visible.empty()) {
+    for (Layer_entry& entry : layers) entry.style.visible = std::ranges::count(visible, entry.id) > 0;
+    return layers;
+  }
+  if (Layer_entry* entry = find_entry(layers, "voronoi")) {
+    constexpr double faint = 0.35;
+    entry->style.visible = true;
+    entry->style.opacity = faint;
+  }
+  if (Layer_entry* entry = find_entry(layers, "one-step-crust")) entry->style.visible = true;
+  if (Layer_entry* entry = find_entry(layers, "medial-axis")) {
+    constexpr double width = 2.5;
+    entry->style.visible = true;
+    entry->style.value = "lambda";
+    entry->style.line_width = width;
+  }
+  return layers;
+}
+
+Document_state first_state(const Registry& registry, const Startup& startup) {
+  constexpr std::size_t samples = 120;
+  constexpr double size = 100;
+  Document_state state{{}, startup.settings, first_look(registry, startup.layers)};
+  if (startup.files.empty()) state.inputs = state.inputs.with(points_input, wiggly_curve(samples, size));
+  return state;
+}
+
+}  // namespace
+
+Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, Startup startup)
+    : registry_(std::move(registry)),
+      formats_(std::make_shared<const Formats>(std::move(formats))),
+      document_(first_state(*registry_, startup)),
+      computation_(registry_, document_) {
+  load_icons();
+  setObjectName(QStringLiteral("main-window"));
+  setWindowIcon(QIcon(QStringLiteral(":/icons/org.mesecina.mesecina2d.svg")));
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+  build_center();
+  files_ = new Files_2(document_, formats_, this);
+  build_docks();
+  build_status_bar();
+  make_actions();
+  make_menus();
+  make_tool_bar();
+  connect_parts();
+  restore();
+  use_tool(QStringLiteral("tool-select"));
+  start(startup);
+}
+
+Main_window_2::~Main_window_2() {
+  // What is deleted with the base class must not call back into members that are gone by then.
+  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+  document_.disconnect();
+  computation_.disconnect();
+  canvas_->set_tool(nullptr);
+  hover_.reset();
+  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_}) delete dock;
+  delete takeCentralWidget();
+  delete editor_;
+  delete files_;
+}
+
+void Main_window_2::build_center() {
+  auto* center = new QWidget(this);
+  auto* column = new QVBoxLayout(center);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  messages_ = new Message_bar(center);
+  canvas_ = new Canvas_2(Canvas_2::Backend::automatic, center);
+  column->addWidget(messages_);
+  column->addWidget(canvas_, 1);
+  setCentralWidget(center);
+  canvas_->set_hint(tr("Drop a file here, or double-click to add points"));
+  editor_ = new Editor_2(document_, *canvas_, *formats_, this);
+  hover_ = std::make_unique<Hover_2>(computation_, *canvas_);
+  facts_ = new QLabel(canvas_);
+  facts_->setObjectName(QStringLiteral("facts"));
+  facts_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  facts_->setAutoFillBackground(true);
+  facts_->setFrameShape(QFrame::StyledPanel);
+  facts_->setMargin(fontMetrics().height() / 3);
+  facts_->setTextFormat(Qt::PlainText);
+  facts_->hide();
+}
+
+void Main_window_2::build_docks() {
+  const auto add = [this](const QString& name, const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setWidget(widget);
+    addDockWidget(area, dock);
+    return dock;
+  };
+  layer_panel_ = new Layer_panel(registry_, this);
+  settings_panel_ = new Settings_panel(registry_, this);
+  points_table_ = new Points_table_2(*editor_, this);
+  layers_dock_ = add(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
+  settings_dock_ = add(QStringLiteral("settings-dock"), tr("Settings"), settings_panel_, Qt::RightDockWidgetArea);
+  points_dock_ = add(QStringLiteral("points-dock"), tr("Points"), points_table_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(settings_dock_, points_dock_);
+  settings_dock_->raise();
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  constexpr int left_width = 300;
+  constexpr int right_width = 260;
+  resizeDocks({layers_dock_, settings_dock_}, {left_width, right_width}, Qt::Horizontal);
+}
+
+void Main_window_2::build_status_bar() {
+  hint_ = new QLabel(this);
+  selected_ = new QLabel(this);
+  coordinates_ = new QLabel(this);
+  computing_ = new Status_progress(this);
+  working_ = new Status_progress(this);
+  coordinates_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0000, -000.0000")));
+  coordinates_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  coordinates_->setAccessibleName(tr("Coordinates under the mouse"));
+  statusBar()->addWidget(hint_, 1);
+  for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(computing_),
+                          static_cast<QWidget*>(selected_), static_cast<QWidget*>(coordinates_)})
+    statusBar()->addPermanentWidget(widget);
+  // A permanent widget is shown by the status bar; these two show themselves when there is something to tell.
+  computing_->hide();
+  working_->hide();
+}
+
+void Main_window_2::connect_parts() {
+  connect(&document_, &Document::changed, this, &Main_window_2::show_document);
+  connect(&document_, &Document::modified_changed, this, &QWidget::setWindowModified);
+  connect(&computation_, &Computation::scene_changed, this, &Main_window_2::show_scene);
+  connect(&computation_, &Computation::layer_changed, this,
+          [this](const QString& layer) { show_layer(layer.toStdString()); });
+  connect(&computation_, &Computation::busy_changed, this,
+          [this](bool is_busy) { is_busy ? computing_->begin(tr("Computing")) : computing_->end(); });
+  connect(&computation_, &Computation::progressed, computing_, &Status_progress::report);
+  connect(computing_, &Status_progress::cancel_requested, &computation_, &Computation::cancel);
+  connect(&files_->jobs(), &Background_jobs::started, working_, &Status_progress::begin);
+  connect(&files_->jobs(), &Background_jobs::idle, working_, &Status_progress::end);
+  connect(working_, &Status_progress::cancel_requested, &files_->jobs(), &Background_jobs::cancel);
+  connect(files_, &Files_2::told, messages_, &Message_bar::add);
+  connect(files_, &Files_2::opened, recent_files_, &Recent_files::add);
+  connect(files_, &Files_2::title_changed, this, &Main_window_2::show_title);
+  connect(files_, &Files_2::loaded, this, [this] { canvas_->fit(bounding_box(document_.inputs())); });
+  connect(recent_files_, &Recent_files::chosen, this, [this](const QString& file) { files_->open({file}, false); });
+  connect(editor_, &Editor_2::selection_changed, this, &Main_window_2::show_selection);
+  connect(editor_, &Editor_2::failed, this,
+          [this](const QString& message) { messages_->add(Message_bar::Kind::error, message); });
+  connect(editor_, &Editor_2::menu_requested, this, &Main_window_2::open_menu);
+  connect(hover_.get(), &Hover_2::changed, this, &Main_window_2::show_facts);
+  connect(canvas_, &Canvas_2::view_changed, this, [this] { hover_->forget(); });
+  connect(canvas_, &Canvas_2::backend_failed, this, [this](const QString& reason) {
+    messages_->add(Message_bar::Kind::note,
+                   tr("Drawing without OpenGL, which is slower for large scenes: %1").arg(reason));
+  });
+  connect(layer_panel_, &Layer_panel::layers_edited, &document_, &Document::edit_layers);
+  connect(layer_panel_, &Layer_panel::setting_edited, this, &Main_window_2::edit_cut);
+  connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
+  for (auto& [id, tool] : tools_) {
+    connect(tool, &Tool_2::hovered, this, &Main_window_2::show_hover);
+    connect(tool, &Tool_2::preview_changed, this, &Main_window_2::show_overlay);
+    connect(tool, &Tool_2::left, this, [this] {
+      coordinates_->clear();
+      hint_->clear();
+      hover_->forget();
+    });
+  }
+}
+
+void Main_window_2::start(const Startup& startup) {
+  layer_panel_->set_layers(document_.layers());
+  layer_panel_->set_settings(document_.settings());
+  settings_panel_->set_settings(document_.settings());
+  canvas_->fit(bounding_box(document_.inputs()));
+  show_title();
+  show_scene();
+  show_selection();
+  QStringList paths;
+  for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
+  files_->open(paths, false);
+}
+
+void Main_window_2::use_tool(const QString& id) {
+  if (tool_) tool_->cancel();
+  tool_ = tools_.at(id);
+  canvas_->set_tool(tool_);
+  spacing_action_->setVisible(id == QLatin1String("tool-spray"));
+  for (const auto& [other, tool] : tools_) (*actions_)[other]->setChecked(other == id);
+  canvas_->setFocus();
+}
+
+void Main_window_2::show_scene() {
+  hover_->check();
+  const bool is_empty = document_.inputs().is_empty();
+  Scene scene = computation_.scene(background());
+  // The last pictures of data that is gone would tell a lie next to the hint.
+  if (is_empty) {
+    for (Scene_layer& layer : scene.layers) layer.primitives = nullptr;
+  }
+  canvas_->set_scene(std::move(scene));
+  canvas_->set_hint(is_empty ? tr("Drop a file here, or double-click to add points") : QString());
+}
+
+void Main_window_2::show_overlay() {
+  const Layer_entry* points = find_entry(document_.layers(), points_input.id);
+  constexpr double usual_size = 6;
+  const auto& hovered = hover_->hovered();
+  canvas_->set_overlay(make_overlay(positions(document_.inputs(), editor_->selection()),
+                                    tool_ ? tool_->preview() : std::vector<Point_2>(), hovered ? &*hovered : nullptr,
+                                    background(), points ? points->style.point_size : usual_size));
+}
+
+void Main_window_2::show_layer(const std::string& layer) {
+  layer_panel_->set_status(layer, computation_.status(layer));
+  const auto primitives = computation_.primitives(layer);
+  layer_panel_->set_primitives(layer, primitives);
+  const Layer_spec* spec = registry_->find_layer(layer);
+  if (!spec || spec->cut_setting.empty() || !primitives) return;
+  const Values* values = primitives->find_values(spec->cut_value);
+  if (!values) return;
+  double largest = 0;
+  for (const double value : values->data)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  if (largest > 0) settings_panel_->set_slider_maximum(spec->cut_setting, largest);
+}
+
+void Main_window_2::show_document(const Document_change& change) {
+  if (change.layers) layer_panel_->set_layers(document_.layers());
+  if (change.settings) {
+    layer_panel_->set_settings(document_.settings());
+    settings_panel_->set_settings(document_.settings());
+  }
+  if (change.inputs || change.layers) {
+    show_overlay();
+    show_selection();
+  }
+  show_title();
+}
+
+void Main_window_2::show_hover(const Canvas_event& event) {
+  const double pixel = 1 / canvas_->view().scale;
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 12);
+  coordinates_->setText(
+      QStringLiteral("%1, %2").arg(event.position.x, 0, 'f', decimals).arg(event.position.y, 0, 'f', decimals));
+  hint_->setText(tool_->hint(event));
+  if (canvas_->cursor().shape() != tool_->cursor(event)) canvas_->setCursor(tool_->cursor(event));
+  if (event.buttons == Qt::NoButton) {
+    hover_->look_at(event.pixel);
+  } else {
+    hover_->forget();
+  }
+}
+
+void Main_window_2::show_title() {
+  setWindowTitle(tr("%1[*] — Mesecina 2D").arg(files_->title()));
+  setWindowModified(document_.is_modified());
+}
+
+void Main_window_2::show_selection() {
+  const Selection_2& selection = editor_->selection();
+  selected_->setText(selection.is_empty() ? QString() : tr("%1 selected").arg(Editor_2::words(selection)));
+  for (const char* id : {"cut", "copy", "duplicate", "delete", "coordinates"})
+    (*actions_)[QLatin1String(id)]->setEnabled(!selection.is_empty());
+  show_overlay();
+}
+
+void Main_window_2::show_facts() {
+  show_overlay();
+  const QString text = hover_->facts_text();
+  if (text.isEmpty()) {
+    facts_->hide();
+    return;
+  }
+  facts_->setText(text);
+  facts_->adjustSize();
+  const int margin = fontMetrics().height() / 2;
+  facts_->move(canvas_->width() - facts_->width() - margin, margin);
+  facts_->show();
+  facts_->raise();
+}
+
+void Main_window_2::edit_cut(const QString& setting, double value, const QString& merge) {
+  const Setting_spec* spec = registry_->find_setting(setting.toStdString());
+  if (!spec) return;
+  Setting_value typed = value;
+  if (std::holds_alternative<std::int64_t>(spec->default_value)) typed = static_cast<std::int64_t>(value);
+  document_.edit_settings(typed == spec->default_value ? document_.settings().without(spec->id)
+                                                       : document_.settings().with(spec->id, typed),
+                          QString::fromStdString(spec->label), merge);
+}
+
+void Main_window_2::escape() {
+  if (tool_->cancel()) return;
+  if (popover_) {
+    popover_->dismiss();
+  } else if (files_->jobs().is_busy()) {
+    files_->jobs().cancel();
+  } else if (computation_.is_busy() && computing_->isVisible()) {
+    computation_.cancel();
+  } else if (!editor_->selection().is_empty()) {
+    editor_->select({});
+  } else {
+    messages_->dismiss();
+  }
+}
+
+void Main_window_2::open_popover(Popover* popover) {
+  if (!popover) return;
+  popover_ = popover;
+  connect(popover, &Popover::closed, this, [this, popover] {
+    if (popover_ == popover) popover_ = nullptr;
+    canvas_->setFocus();
+  });
+}
+
+void Main_window_2::generate(const Generator_2& generator) {
+  if (popover_) popover_->dismiss();
+  open_popover(open_generator_popover(generator, *editor_, canvas_));
+}
+
+Color Main_window_2::background() const { return canvas_color(background_, palette()); }
+
+bool Main_window_2::may_close() {
+  if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
+  const auto answer = QMessageBox::question(this, tr("Save changes?"),
+                                            tr("The points or outlines of %1 were changed.").arg(files_->title()),
+                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Save) return files_->save();
+  return answer == QMessageBox::Discard;
+}
+
+void Main_window_2::closeEvent(QCloseEvent* event) {
+  if (!may_close()) {
+    event->ignore();
+    return;
+  }
+  computation_.cancel();
+  files_->jobs().cancel();
+  store();
+  event->accept();
+}
+
+void Main_window_2::dragEnterEvent(QDragEnterEvent* event) {
+  const auto is_local = [](const QUrl& url) { return url.isLocalFile(); };
+  const auto urls = event->mimeData()->urls();
+  if (std::ranges::any_of(urls, is_local)) event->acceptProposedAction();
+}
+
+void Main_window_2::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  files_->open(paths, event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
+  event->acceptProposedAction();
+}
+
+void Main_window_2::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && canvas_ && tool_) {
+    show_scene();
+    show_overlay();
+  }
+}
+
+}  // namespace mesecina

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSpinBox>
+#include <QTimer>
+#include <QToolBar>
+#include <QWidgetAction>
+
+#include "app2d/generators_2.h"
+#include "app2d/main_window_2.h"
+#include "app2d/popovers_2.h"
+#include "app2d/tool_icons.h"
+#include "shell/key_sheet.h"
+#include "shell/preferences.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr QLatin1String program("mesecina2d");
+constexpr double zoom_step = 1.25;
+
+struct Theme_choice {
+  Theme theme;
+  const char* id;
+};
+constexpr Theme_choice theme_choices[] = {
+    {Theme::system, "theme-system"}, {Theme::light, "theme-light"}, {Theme::dark, "theme-dark"}};
+
+struct Background_choice {
+  Canvas_background background;
+  const char* id;
+};
+constexpr Background_choice background_choices[] = {{Canvas_background::paper, "background-paper"},
+                                                    {Canvas_background::dark, "background-dark"},
+                                                    {Canvas_background::window, "background-window"}};
+
+QString generator_text(const char* text) { return QCoreApplication::translate("generators", text); }
+
+}  // namespace
+
+void Main_window_2::make_actions() {
+  actions_ = new Actions(this);
+  recent_files_ = new Recent_files(program, this);
+  make_file_actions();
+  make_edit_actions();
+  make_tool_actions();
+  make_view_actions();
+}
+
+void Main_window_2::make_file_actions() {
+  const QString group = tr("File");
+  const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
+                       std::function<void()> run) {
+    actions_->add(group, {QLatin1String(id), text, tip, std::move(keys)}, std::move(run));
+  };
+  add("new", tr("&New"), tr("Start with an empty plane"), {QKeySequence(Qt::CTRL | Qt::Key_N)},
+      [this] { files_->new_document(); });
+  add("open", tr("&Open…"), tr("Replace the data by that of files; they can also be dropped on the window"),
+      {QKeySequence(Qt::CTRL | Qt::Key_O)}, [this] { files_->choose_and_open(false); });
+  add("add-file", tr("&Add file…"), tr("Add the data of files to what there is, as dropping with Ctrl does"),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}, [this] { files_->choose_and_open(true); });
+  add("save", tr("&Save"), tr("Save the points or the outline"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+      [this] { files_->save(); });
+  add("save-as", tr("Save &as…"), tr("Save the points or the outline into another file"),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, [this] { files_->save_as(); });
+  add("save-points", tr("&Points…"), tr("Save the points alone"), {},
+      [this] { files_->save_part_as(std::string(points_input.id)); });
+  add("save-outline", tr("&Outline…"), tr("Save the outline alone"), {},
+      [this] { files_->save_part_as(std::string(outline_input.id)); });
+  add("save-disks", tr("&Disks…"), tr("Save the disks alone"), {},
+      [this] { files_->save_part_as(std::string(disks_input.id)); });
+  add("export-picture", tr("Export &picture…"), tr("Write what is in view as PNG, SVG or PDF"),
+      {QKeySequence(Qt::CTRL | Qt::Key_E)}, [this] { export_picture(); });
+  add("export-layers", tr("Export &layers…"), tr("Write the visible layers as data: JSON, CSV, OBJ, PLY"),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}, [this] { export_layers(); });
+  add("quit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, [this] { close(); });
+}
+
+void Main_window_2::make_edit_actions() {
+  const QString group = tr("Edit");
+  QUndoStack& history = document_.history();
+  QAction* undo = actions_->add(group,
+                                {QStringLiteral("undo"),
+                                 tr("&Undo"),
+                                 tr("Take back the last change"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_Z)},
+                                 tool_icon(Tool_icon::undo)},
+                                [&history] { history.undo(); });
+  QAction* redo = actions_->add(group,
+                                {QStringLiteral("redo"),
+                                 tr("&Redo"),
+                                 tr("Do again what was taken back"),
+                                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+                                 tool_icon(Tool_icon::redo)},
+                                [&history] { history.redo(); });
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(&history, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&history, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&history, &QUndoStack::undoTextChanged, undo,
+          [undo](const QString& text) { undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(text)); });
+  connect(&history, &QUndoStack::redoTextChanged, redo,
+          [redo](const QString& text) { redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text)); });
+
+  const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
+                       std::function<void()> run, QWidget* scope = nullptr) {
+    actions_->add(group, {QLatin1String(id), text, tip, std::move(keys), {}, false, scope}, std::move(run));
+  };
+  add("cut", tr("Cu&t"), tr("Copy the selected points as text and delete them"), {QKeySequence(Qt::CTRL | Qt::Key_X)},
+      [this] { editor_->cut(); });
+  add("copy", tr("&Copy"), tr("Copy the selected points as text, one \"x y\" per line"),
+      {QKeySequence(Qt::CTRL | Qt::Key_C)}, [this] { editor_->copy(); });
+  add("paste", tr("&Paste"), tr("Add points from text: a column of \"x y\", also from a spreadsheet"),
+      {QKeySequence(Qt::CTRL | Qt::Key_V)}, [this] { editor_->paste(); });
+  add("duplicate", tr("D&uplicate"), tr("Copies of the selected points beside them"),
+      {QKeySequence(Qt::CTRL | Qt::Key_D)}, [this] { editor_->duplicate(); });
+  add("delete", tr("&Delete"), tr("Delete the selected points and vertices"), {QKeySequence(Qt::Key_Delete)},
+      [this] { editor_->remove_selected(); });
+  add("select-all", tr("Select &all"), tr("Select all points and vertices that are shown"),
+      {QKeySequence(Qt::CTRL | Qt::Key_A)}, [this] { editor_->select_all(); });
+  add("escape", tr("Cancel or deselect"), tr("Cancel what is going on; if nothing is, select nothing"),
+      {QKeySequence(Qt::Key_Escape)}, [this] { escape(); });
+  add("coordinates", tr("E&xact coordinates…"), tr("Type the coordinates of the selected point"),
+      {QKeySequence(Qt::CTRL | Qt::Key_Return)}, [this] {
+        if (popover_) popover_->dismiss();
+        open_popover(open_coordinates_popover(*editor_, canvas_));
+      });
+  add("copy-facts", tr("Copy &facts"), tr("Copy what is known of the element under the mouse"),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)}, [this] {
+        if (!hover_->facts_text().isEmpty()) QApplication::clipboard()->setText(hover_->facts_text());
+      });
+  add(
+      "complete-outline", tr("Close the outline"), tr("Close the outline that is being drawn"),
+      {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)}, [this] { tool_->complete(); }, canvas_);
+
+  struct Direction {
+    const char* id;
+    QString text;
+    Qt::Key key;
+    int x;
+    int y;
+  };
+  const Direction directions[] = {{"nudge-left", tr("Nudge left"), Qt::Key_Left, -1, 0},
+                                  {"nudge-right", tr("Nudge right"), Qt::Key_Right, 1, 0},
+                                  {"nudge-up", tr("Nudge up"), Qt::Key_Up, 0, 1},
+                                  {"nudge-down", tr("Nudge down"), Qt::Key_Down, 0, -1}};
+  constexpr int far_pixels = 10;
+  for (const Direction& direction : directions) {
+    const auto nudge = [this, direction](int pixels) {
+      const double step = pixels / canvas_->view().scale;
+      editor_->nudge(direction.x * step, direction.y * step);
+    };
+    add(
+        direction.id, direction.text, tr("Move the selection by one pixel"), {QKeySequence(direction.key)},
+        [nudge] { nudge(1); }, canvas_);
+    actions_->add(group,
+                  {QLatin1String(direction.id) + QLatin1String("-far"),
+                   tr("%1 by 10").arg(direction.text),
+                   tr("Move the selection by ten pixels"),
+                   {QKeySequence(Qt::SHIFT | direction.key)},
+                   {},
+                   false,
+                   canvas_},
+                  [nudge] { nudge(far_pixels); });
+  }
+}
+
+void Main_window_2::make_tool_actions() {
+  const QString group = tr("Tools");
+  auto* choices = new QActionGroup(this);
+  const auto add = [&](const char* id, const QString& text, const QString& tip, Qt::Key key, Tool_icon icon,
+                       Tool_2* tool) {
+    const QString name = QLatin1String(id);
+    tools_[name] = tool;
+    QAction* action = actions_->add(group, {name, text, tip, {QKeySequence(key)}, tool_icon(icon), true},
+                                    [this, name] { use_tool(name); });
+    choices->addAction(action);
+  };
+  add("tool-select", tr("&Select and move"), tr("Click selects, drag moves or draws a box, double click adds a point"),
+      Qt::Key_V, Tool_icon::select, new Select_tool_2(*editor_));
+  add("tool-insert", tr("Add &points"), tr("Every click adds a point"), Qt::Key_P, Tool_icon::insert,
+      new Insert_tool_2(*editor_));
+  auto* spray = new Spray_tool_2(*editor_);
+  add("tool-spray", tr("Spra&y points"), tr("Drag leaves points behind, a spacing apart"), Qt::Key_B, Tool_icon::spray,
+      spray);
+  add("tool-outline", tr("Draw an &outline"), tr("Click sets vertices, drag draws freely, double click closes"),
+      Qt::Key_O, Tool_icon::outline, new Outline_tool_2(*editor_));
+  add("tool-pan", tr("&Move the view"), tr("Drag moves the view, as the middle button does with every tool"), Qt::Key_M,
+      Tool_icon::pan, new Pan_tool_2(*editor_));
+}
+
+void Main_window_2::make_view_actions() {
+  const QString group = tr("View");
+  const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
+                       std::function<void()> run) {
+    return actions_->add(group, {QLatin1String(id), text, tip, std::move(keys)}, std::move(run));
+  };
+  QAction* fit = add("fit", tr("&Fit"), tr("Show all of the data"), {QKeySequence(Qt::Key_F), QKeySequence(Qt::Key_0)},
+                     [this] { canvas_->fit(bounding_box(document_.inputs())); });
+  fit->setIcon(tool_icon(Tool_icon::fit));
+  add("previous-view", tr("&Previous view"), tr("Go back to where the view was"), {QKeySequence(Qt::Key_Backspace)},
+      [this] { canvas_->previous_view(); });
+  add("zoom-in", tr("Zoom &in"), tr("Larger; the wheel zooms about the cursor"),
+      {QKeySequence(Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Equal)},
+      [this] { canvas_->zoom(zoom_step); });
+  add("zoom-out", tr("Zoom &out"), tr("Smaller; the wheel zooms about the cursor"),
+      {QKeySequence(Qt::Key_Minus), QKeySequence(Qt::CTRL | Qt::Key_Minus)}, [this] { canvas_->zoom(1 / zoom_step); });
+  add("toggle-layers", tr("Show or &hide layers"), tr("Show or hide the layers selected in the list"),
+      {QKeySequence(Qt::Key_H)}, [this] { layer_panel_->toggle_visibility(); });
+  add("solo-layers", tr("&Solo layers"), tr("Show only the layers selected in the list; again: what was shown before"),
+      {QKeySequence(Qt::Key_S)}, [this] { layer_panel_->solo(); });
+  add("show-all-layers", tr("Show &all layers"), tr("Show every layer"), {QKeySequence(Qt::ALT | Qt::Key_H)},
+      [this] { layer_panel_->show_all(); });
+  add("find-layer", tr("Find a &layer"), tr("Type a part of its name"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, [this] {
+    layers_dock_->show();
+    layer_panel_->focus_filter();
+  });
+  const auto add_choice = [&](QActionGroup* choices, const char* id, const QString& text, const QString& tip,
+                              std::function<void()> run) {
+    QAction* action = actions_->add(group, {QLatin1String(id), text, tip, {}, {}, true}, std::move(run));
+    choices->addAction(action);
+  };
+  auto* themes = new QActionGroup(this);
+  add_choice(themes, "theme-system", tr("&System"), tr("Dress the window as the desktop does"),
+             [this] { set_theme(Theme::system); });
+  add_choice(themes, "theme-light", tr("&Light"), tr("Light window"), [this] { set_theme(Theme::light); });
+  add_choice(themes, "theme-dark", tr("&Dark"), tr("Dark window"), [this] { set_theme(Theme::dark); });
+  auto* backgrounds = new QActionGroup(this);
+  add_choice(backgrounds, "background-paper", tr("&Paper white"), tr("White canvas, as on paper"),
+             [this] { set_background(Canvas_background::paper); });
+  add_choice(backgrounds, "background-dark", tr("&Dark canvas"),
+             tr("Dark canvas; dark colours of layers are lightened"),
+             [this] { set_background(Canvas_background::dark); });
+  add_choice(backgrounds, "background-window", tr("Like the &window"), tr("Canvas in the colour of the window"),
+             [this] { set_background(Canvas_background::window); });
+  QAction* full = actions_->add(group,
+                                {QStringLiteral("full-screen"),
+                                 tr("F&ull screen"),
+                                 tr("Use the whole screen"),
+                                 {QKeySequence(Qt::Key_F11)},
+                                 {},
+                                 true},
+                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  full->setChecked(isFullScreen());
+
+  const QString help = tr("Help");
+  actions_->add(help,
+                {QStringLiteral("keys"),
+                 tr("&Keys and mouse"),
+                 tr("Every key and what the mouse does"),
+                 {QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)}},
+                [this] {
+                  const std::vector<Gesture> gestures = {
+                      {tr("Left"), tr("Select, move, or what the tool does")},
+                      {tr("Left on nothing"), tr("Draw a selection box")},
+                      {tr("Shift, Ctrl + click"), tr("Add to the selection, toggle")},
+                      {tr("Shift while moving"), tr("Keep to one axis")},
+                      {tr("Double click"), tr("Add a point; close an outline")},
+                      {tr("Right"), tr("Menu")},
+                      {tr("Middle, Space + left"), tr("Move the view")},
+                      {tr("Wheel, pinch"), tr("Zoom about the cursor")},
+                      {tr("Rest on something"), tr("See what it is")},
+                      {tr("Drop a file"), tr("Open it; with Ctrl or Shift: add it")},
+                  };
+                  make_key_sheet(*actions_, gestures, this);
+                });
+  actions_->add(help, {QStringLiteral("about"), tr("&About Mesecina"), tr("Version, licence, graphics")}, [this] {
+    make_about(tr("Mesecina 2D"),
+               {tr("Version %1").arg(QCoreApplication::applicationVersion()),
+                tr("Qt %1").arg(QLatin1String(qVersion())), tr("Canvas: %1").arg(canvas_->backend_name())},
+               this);
+  });
+}
+
+void Main_window_2::make_menus() {
+  const auto menu = [this](const QString& title) { return menuBar()->addMenu(title); };
+  QMenu* file = menu(tr("&File"));
+  file->setToolTipsVisible(true);
+  actions_->add_to(file, {"new", "open", "add-file"});
+  file->addMenu(recent_files_);
+  QMenu* examples = file->addMenu(tr("Open &example"));
+  for (const QString& name : Files_2::examples()) {
+    if (formats_->reader_for(name.toStdString()))
+      examples->addAction(name, this, [this, name] { files_->open_example(name); });
+  }
+  actions_->add_to(file, {"-", "save", "save-as"});
+  QMenu* parts = file->addMenu(tr("Save a pa&rt"));
+  actions_->add_to(parts, {"save-points", "save-outline", "save-disks"});
+  actions_->add_to(file, {"-", "export-picture", "export-layers", "-", "quit"});
+
+  QMenu* edit = menu(tr("&Edit"));
+  actions_->add_to(edit, {"undo", "redo", "-", "cut", "copy", "paste", "duplicate", "delete", "-", "select-all",
+                          "escape", "-", "coordinates", "copy-facts"});
+
+  QMenu* insert = menu(tr("&Insert"));
+  insert->setToolTipsVisible(true);
+  QMenu* degenerate = nullptr;
+  for (const Generator_2& generator : generators_2()) {
+    const QString id = QStringLiteral("insert-") + QString::fromStdString(generator.id);
+    QAction* action = actions_->add(
+        tr("Insert"), {id, generator_text(generator.label) + QStringLiteral("…"), generator_text(generator.tip)},
+        [this, &generator] { generate(generator); });
+    if (generator.id == "collinear") degenerate = insert->addMenu(tr("&Degenerate sets"));
+    (degenerate ? degenerate : insert)->addAction(action);
+  }
+
+  QMenu* tools = menu(tr("&Tools"));
+  actions_->add_to(tools, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-pan"});
+
+  QMenu* view = menu(tr("&View"));
+  actions_->add_to(view, {"fit", "previous-view", "zoom-in", "zoom-out", "-", "toggle-layers", "solo-layers",
+                          "show-all-layers", "find-layer", "-"});
+  QMenu* themes = view->addMenu(tr("&Theme"));
+  for (const Theme_choice& choice : theme_choices) actions_->add_to(themes, {QLatin1String(choice.id)});
+  QMenu* backgrounds = view->addMenu(tr("&Background"));
+  for (const Background_choice& choice : background_choices) actions_->add_to(backgrounds, {QLatin1String(choice.id)});
+  QMenu* panels = view->addMenu(tr("Pa&nels"));
+  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_}) panels->addAction(dock->toggleViewAction());
+  actions_->add_to(view, {"-", "full-screen"});
+
+  QMenu* help = menu(tr("&Help"));
+  actions_->add_to(help, {"keys", "about"});
+}
+
+void Main_window_2::make_tool_bar() {
+  auto* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tool-bar"));
+  bar->setMovable(false);
+  actions_->add_to(
+      bar, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-pan", "-", "undo", "redo", "-", "fit"});
+  auto* spray = static_cast<Spray_tool_2*>(tools_.at(QStringLiteral("tool-spray")));
+  auto* spacing = new QSpinBox(bar);
+  constexpr int widest = 200;
+  spacing->setRange(1, widest);
+  spacing->setValue(static_cast<int>(spray->spacing()));
+  spacing->setPrefix(tr("Spacing "));
+  spacing->setSuffix(tr(" px"));
+  spacing->setAccessibleName(tr("Spacing of sprayed points"));
+  spacing->setToolTip(tr("Least distance between sprayed points"));
+  connect(spacing, &QSpinBox::valueChanged, spray, [spray](int pixels) { spray->set_spacing(pixels); });
+  spacing_action_ = bar->addWidget(spacing);
+}
+
+void Main_window_2::open_menu(const QPointF& pixel) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  actions_->add_to(menu, {"delete", "duplicate", "coordinates", "-", "copy", "paste", "-", "select-all", "fit"});
+  menu->popup(canvas_->mapToGlobal(pixel.toPoint()));
+}
+
+void Main_window_2::export_picture() {
+  if (popover_) popover_->dismiss();
+  const QSize start = canvas_->size() * canvas_->devicePixelRatioF();
+  open_popover(open_picture_popover(start, canvas_, [this](int width, int height, bool is_transparent) {
+    const QString path = files_->choose_for_writing(tr("Export picture"), files_->stem(),
+                                                    tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"));
+    if (path.isEmpty()) return;
+    Scene scene = computation_.scene(background());
+    scene.transparent_background = is_transparent;
+    View_2 view = canvas_->view();
+    view.scale *= std::min(double(width) / canvas_->width(), double(height) / canvas_->height());
+    files_->export_picture(path, std::move(scene), view, width, height);
+  }));
+}
+
+void Main_window_2::export_layers() {
+  if (popover_) popover_->dismiss();
+  open_popover(open_layers_popover(*formats_, canvas_, [this](const std::vector<std::string>& formats) {
+    const QString folder = files_->choose_folder(tr("Export layers into a folder"));
+    if (folder.isEmpty()) return;
+    std::map<std::string, Setting_value> settings;
+    for (const Setting_spec& spec : registry_->settings())
+      settings[spec.id] = registry_->value(document_.settings(), spec.id);
+    std::map<std::string, QString> reasons;
+    for (const Layer_entry& entry : document_.layers()) reasons[entry.id] = computation_.status(entry.id).reason;
+    files_->export_layers(folder, computation_.scene({255, 255, 255}), formats, settings, reasons);
+  }));
+}
+
+void Main_window_2::set_theme(Theme theme) {
+  themes_.apply(theme);
+  for (const Theme_choice& choice : theme_choices)
+    (*actions_)[QLatin1String(choice.id)]->setChecked(choice.theme == theme);
+  for (const Theme_choice& choice : theme_choices)
+    if (choice.theme == theme) Preferences(program).set_value(QStringLiteral("theme"), QLatin1String(choice.id));
+}
+
+void Main_window_2::set_background(Canvas_background background) {
+  background_ = background;
+  for (const Background_choice& choice : background_choices) {
+    const bool is_chosen = choice.background == background;
+    (*actions_)[QLatin1String(choice.id)]->setChecked(is_chosen);
+    if (is_chosen) Preferences(program).set_value(QStringLiteral("background"), QLatin1String(choice.id));
+  }
+  show_scene();
+  show_overlay();
+}
+
+void Main_window_2::restore() {
+  const Preferences preferences(program);
+  constexpr QSize usual(1280, 800);
+  resize(usual);
+  restoreGeometry(preferences.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(preferences.value(QStringLiteral("docks")).toByteArray());
+  const QString theme = preferences.value(QStringLiteral("theme"), QStringLiteral("theme-light")).toString();
+  const QString background =
+      preferences.value(QStringLiteral("background"), QStringLiteral("background-paper")).toString();
+  for (const Theme_choice& choice : theme_choices)
+    if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
+  for (const Background_choice& choice : background_choices)
+    if (background == QLatin1String(choice.id)) set_background(choice.background);
+}
+
+void Main_window_2::store() {
+  Preferences preferences(program);
+  preferences.set_value(QStringLiteral("geometry"), saveGeometry());
+  preferences.set_value(QStringLiteral("docks"), saveState());
+}
+
+}  // namespace mesecina

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app2d/popovers_2.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QUuid>
+#include <QVBoxLayout>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/formats/number.h"
+#include "layers/number_field.h"
+
+namespace mesecina {
+
+namespace {
+
+QSpinBox* make_count(int minimum, int maximum, int value, QWidget* parent, const QString& name) {
+  auto* box = new QSpinBox(parent);
+  box->setRange(minimum, maximum);
+  box->setValue(value);
+  box->setKeyboardTracking(false);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setAccessibleName(name);
+  return box;
+}
+
+/// Makes each popover a step of undo of its own.
+QString new_merge_key(const QString& kind) { return kind + QUuid::createUuid().toString(); }
+
+}  // namespace
+
+Box generator_box(const Inputs& inputs, const Canvas_2& canvas) {
+  Box box;
+  if (inputs.is_empty()) {
+    constexpr double side = 100;
+    box.add(Point_2{0, 0});
+    box.add(Point_2{side, side});
+    return box;
+  }
+  constexpr double share = 0.4;
+  const View_2& view = canvas.view();
+  const double half_width = share * canvas.width() / view.scale;
+  const double half_height = share * canvas.height() / view.scale;
+  box.add(Point_2{view.center.x - half_width, view.center.y - half_height});
+  box.add(Point_2{view.center.x + half_width, view.center.y + half_height});
+  return box;
+}
+
+Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, QWidget* over) {
+  const auto translated = [](const char* text) { return QCoreApplication::translate("generators", text); };
+  const auto order = std::make_shared<Generator_order_2>();
+  order->inputs = editor.document().inputs();
+  order->box = generator_box(order->inputs, editor.canvas());
+  if (generator.make(*order).empty()) {
+    Q_EMIT editor.failed(QObject::tr("%1: there is nothing to start from; draw or open an outline or points first.")
+                             .arg(translated(generator.label)));
+    return nullptr;
+  }
+  auto* popover = new Popover(translated(generator.label), over);
+  const auto is_inserting = std::make_shared<bool>(false);
+  const QString key = new_merge_key(QStringLiteral("generate"));
+  const bool is_first_data = order->inputs.is_empty();
+  const auto insert = [&editor, &generator, order, is_inserting, key, translated, is_first_data] {
+    *is_inserting = true;
+    editor.document().edit_inputs(with_points(order->inputs, generator.make(*order)),
+                                  QObject::tr("Insert: %1").arg(translated(generator.label)), key);
+    *is_inserting = false;
+    if (is_first_data) editor.canvas().fit(bounding_box(editor.document().inputs()));
+  };
+  auto* tip = new QLabel(translated(generator.tip), popover);
+  tip->setWordWrap(true);
+  tip->setMinimumWidth(popover->fontMetrics().height() * 13);
+  popover->form()->addRow(tip);
+  if (generator.has_count) {
+    constexpr int most_points = 1000000;
+    auto* count = make_count(1, most_points, int(order->count), popover, QObject::tr("Number of points"));
+    QObject::connect(count, &QSpinBox::valueChanged, popover, [order, insert](int value) {
+      order->count = static_cast<std::size_t>(value);
+      insert();
+    });
+    popover->form()->addRow(QObject::tr("Points"), count);
+  }
+  if (generator.has_amount) {
+    auto* amount = new Number_field(popover);
+    amount->set_bounds(0, 1);
+    amount->show_value(order->amount);
+    amount->setAccessibleName(QObject::tr("Amount of noise"));
+    amount->setToolTip(QObject::tr("Standard deviation, as a fraction of the diagonal"));
+    QObject::connect(amount, &Number_field::edited, popover, [order, insert](const std::optional<double>& value) {
+      order->amount = value.value_or(0);
+      insert();
+    });
+    popover->form()->addRow(QObject::tr("Noise"), amount);
+  }
+  if (generator.has_seed) {
+    constexpr int most_seeds = 999999;
+    auto* seed = make_count(0, most_seeds, int(order->seed), popover, QObject::tr("Seed"));
+    seed->setStepType(QAbstractSpinBox::DefaultStepType);
+    seed->setToolTip(QObject::tr("The same seed gives the same points again"));
+    QObject::connect(seed, &QSpinBox::valueChanged, popover, [order, insert](int value) {
+      order->seed = static_cast<std::uint64_t>(value);
+      insert();
+    });
+    popover->form()->addRow(QObject::tr("Seed"), seed);
+  }
+  insert();
+  QObject::connect(&editor.document(), &Document::changed, popover,
+                   [popover, is_inserting](const Document_change& change) {
+                     if (change.inputs && !*is_inserting) popover->dismiss();
+                   });
+  popover->open();
+  return popover;
+}
+
+Popover* open_coordinates_popover(Editor_2& editor, QWidget* over) {
+  const auto position = [&editor]() -> std::optional<Point_2> {
+    const auto all = positions(editor.document().inputs(), editor.selection());
+    return all.empty() ? std::nullopt : std::optional(all.front());
+  };
+  if (!position()) return nullptr;
+  auto* popover = new Popover(QObject::tr("Exact coordinates"), over);
+  auto* x = new QLineEdit(popover);
+  auto* y = new QLineEdit(popover);
+  x->setAccessibleName(QStringLiteral("x"));
+  y->setAccessibleName(QStringLiteral("y"));
+  const auto show = [x, y, position] {
+    const auto p = position();
+    x->setEnabled(p.has_value());
+    y->setEnabled(p.has_value());
+    if (!p) return;
+    x->setText(QString::fromStdString(format_number(p->x)));
+    y->setText(QString::fromStdString(format_number(p->y)));
+  };
+  show();
+  const QString key = new_merge_key(QStringLiteral("coordinates"));
+  const auto place = [&editor, x, y, show, position, key] {
+    const auto number_in = [](const QLineEdit* line) { return parse_number(line->text().trimmed().toStdString()); };
+    const auto px = number_in(x);
+    const auto py = number_in(y);
+    const bool is_good = px && py && std::isfinite(*px) && std::isfinite(*py);
+    if (!is_good) {
+      Q_EMIT editor.failed(
+          QObject::tr("Expected two numbers such as 1.5, found \"%1\" and \"%2\".").arg(x->text(), y->text()));
+      show();
+    } else if (position()) {
+      editor.place({*px, *py}, key);
+    }
+  };
+  for (QLineEdit* line : {x, y}) QObject::connect(line, &QLineEdit::editingFinished, popover, place);
+  QObject::connect(&editor.document(), &Document::changed, popover, show);
+  QObject::connect(&editor, &Editor_2::selection_changed, popover, show);
+  popover->form()->addRow(QStringLiteral("x"), x);
+  popover->form()->addRow(QStringLiteral("y"), y);
+  popover->open();
+  return popover;
+}
+
+Popover* open_picture_popover(const QSize& start, QWidget* over,
+                              std::function<void(int width, int height, bool)> write) {
+  auto* popover = new Popover(QObject::tr("Export picture"), over);
+  constexpr int most_pixels = 32000;
+  auto* width = make_count(1, most_pixels, start.width(), popover, QObject::tr("Width of the picture"));
+  auto* height = make_count(1, most_pixels, start.height(), popover, QObject::tr("Height of the picture"));
+  for (QSpinBox* box : {width, height}) box->setSuffix(QObject::tr(" px"));
+  auto* is_transparent = new QCheckBox(QObject::tr("Transparent background"), popover);
+  auto* save = new QPushButton(QObject::tr("Save as…"), popover);
+  save->setToolTip(QObject::tr("PNG, SVG or PDF, by the name of the file"));
+  popover->form()->addRow(QObject::tr("Width"), width);
+  popover->form()->addRow(QObject::tr("Height"), height);
+  popover->form()->addRow(is_transparent);
+  popover->column()->addWidget(save);
+  QObject::connect(save, &QPushButton::clicked, popover, [=, write = std::move(write)] {
+    write(width->value(), height->value(), is_transparent->isChecked());
+    popover->dismiss();
+  });
+  popover->open();
+  return popover;
+}
+
+Popover* open_layers_popover(const Formats& formats, QWidget* over,
+                             std::function<void(const std::vector<std::string>&)> write) {
+  auto* popover = new Popover(QObject::tr("Export visible layers"), over);
+  std::vector<QCheckBox*> boxes;
+  for (const Layer_writer& writer : formats.layer_writers) {
+    auto* box = new QCheckBox(QString::fromStdString(writer.name), popover);
+    box->setToolTip(QString::fromStdString(writer.help));
+    box->setChecked(boxes.empty());
+    popover->form()->addRow(box);
+    boxes.push_back(box);
+  }
+  auto* save = new QPushButton(QObject::tr("Into folder…"), popover);
+  popover->column()->addWidget(save);
+  QObject::connect(save, &QPushButton::clicked, popover, [popover, boxes, write = std::move(write)] {
+    std::vector<std::string> chosen;
+    for (const QCheckBox* box : boxes)
+      if (box->isChecked()) chosen.push_back(box->text().toStdString());
+    if (!chosen.empty()) write(chosen);
+    popover->dismiss();
+  });
+  popover->open();
+  return popover;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/key_sheet.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace mesecina {
+
+namespace {
+
+QString row(const QString& keys, const QString& text) {
+  return QStringLiteral("<tr><td style='padding-right:14px; white-space:nowrap'><b>%1</b></td><td>%2</td></tr>")
+      .arg(keys.toHtmlEscaped(), text.toHtmlEscaped());
+}
+
+QString heading(const QString& text) {
+  return QStringLiteral("<tr><td colspan='2' style='padding-top:8px'><i>%1</i></td></tr>").arg(text.toHtmlEscaped());
+}
+
+QString plain(QString text) {
+  text.remove(QLatin1Char('&'));
+  return text;
+}
+
+QDialog* make_sheet(const QString& title, QWidget* parent) {
+  auto* sheet = new QDialog(parent);
+  sheet->setModal(false);
+  sheet->setAttribute(Qt::WA_DeleteOnClose);
+  sheet->setWindowTitle(title);
+  return sheet;
+}
+
+QLabel* column_of(const QString& rows) {
+  auto* label = new QLabel(QStringLiteral("<table cellspacing='1'>%1</table>").arg(rows));
+  label->setTextFormat(Qt::RichText);
+  label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  return label;
+}
+
+}  // namespace
+
+QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gestures, QWidget* parent) {
+  QDialog* sheet = make_sheet(QObject::tr("Keys and mouse"), parent);
+  QStringList columns{heading(QObject::tr("Mouse"))};
+  for (const auto& [keys, text] : gestures) columns.last() += row(keys, text);
+  QString group;
+  std::size_t rows = gestures.size();
+  constexpr std::size_t most_rows = 24;
+  for (const Actions::Entry& entry : actions.entries()) {
+    if (entry.action->shortcuts().isEmpty()) continue;
+    if (entry.group != group) {
+      if (rows > most_rows) {
+        columns << QString();
+        rows = 0;
+      }
+      columns.last() += heading(entry.group);
+      group = entry.group;
+      ++rows;
+    }
+    columns.last() += row(QKeySequence::listToString(entry.action->shortcuts(), QKeySequence::NativeText)
+                              .replace(QStringLiteral("; "), QStringLiteral(", ")),
+                          plain(entry.action->text()));
+    ++rows;
+  }
+  auto* content = new QWidget;
+  auto* columns_row = new QHBoxLayout(content);
+  columns_row->setSpacing(sheet->fontMetrics().height() * 2);
+  for (const QString& column : columns) columns_row->addWidget(column_of(column), 0, Qt::AlignTop);
+  auto* area = new QScrollArea(sheet);
+  area->setWidget(content);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  auto* layout = new QVBoxLayout(sheet);
+  layout->addWidget(area);
+  const int em = sheet->fontMetrics().height();
+  const QSize wanted = content->sizeHint() + QSize(em * 3, em * 3);
+  sheet->resize(parent ? wanted.boundedTo(parent->size()) : wanted);
+  sheet->show();
+  return sheet;
+}
+
+QWidget* make_about(const QString& program, const QStringList& details, QWidget* parent) {
+  QDialog* about = make_sheet(QObject::tr("About %1").arg(program), parent);
+  auto* text = new QLabel(about);
+  text->setTextFormat(Qt::RichText);
+  text->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  text->setText(
+      QObject::tr("<h2>Mesecina</h2>"
+                  "<p>An explorer of geometric structures: Voronoi diagrams, crusts, medial axes<br>"
+                  "and their filtrations, which follow the points under your mouse.</p>"
+                  "<p>Free software under the GNU General Public License, version 3 or later.<br>"
+                  "Built on CGAL, Qt, Eigen, TBB, GLM and nlohmann-json.</p>") +
+      QStringLiteral("<p>%1</p>")
+          .arg(details.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, about);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, about, &QWidget::close);
+  auto* layout = new QVBoxLayout(about);
+  layout->addWidget(text);
+  layout->addWidget(buttons);
+  about->show();
+  return about;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/settings_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "layers/number_field.h"
+#include "layers/panel_paint.h"
+
+namespace mesecina {
+
+namespace {
+
+QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+double number_of(const Setting_value& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  const auto* real = std::get_if<double>(&value);
+  return real ? *real : 0;
+}
+
+/// Between the positions of a slider and the numbers of a setting; the default lies about the middle.
+class Slider_scale {
+ public:
+  static constexpr int steps = 1000;
+
+  Slider_scale(double minimum, double maximum, double start) : minimum_(minimum) { set_maximum(maximum, start); }
+  void set_maximum(double maximum, double start) {
+    maximum_ = std::max(maximum, minimum_);
+    const double middle = maximum_ > minimum_ ? (start - minimum_) / (maximum_ - minimum_) : 0;
+    constexpr double least = 1;
+    constexpr double most = 8;
+    constexpr double usual = 2;
+    exponent_ = middle > 0 && middle < 1 ? std::clamp(std::log(middle) / std::log(0.5), least, most) : usual;
+  }
+  double value(int position) const {
+    if (position <= 0) return minimum_;
+    if (position >= steps) return maximum_;
+    const double exact = minimum_ + (maximum_ - minimum_) * std::pow(static_cast<double>(position) / steps, exponent_);
+    // As many digits as the slider can tell apart.
+    const double unit = std::pow(10, std::floor(std::log10((maximum_ - minimum_) * exact / (steps * maximum_))));
+    return std::isfinite(unit) && unit > 0 ? std::round(exact / unit) * unit : exact;
+  }
+  int position(double value) const {
+    if (!(maximum_ > minimum_)) return 0;
+    const double part = std::clamp((value - minimum_) / (maximum_ - minimum_), 0.0, 1.0);
+    return static_cast<int>(std::round(std::pow(part, 1 / exponent_) * steps));
+  }
+
+ private:
+  double minimum_;
+  double maximum_ = 0;
+  double exponent_ = 1;
+};
+
+/// Turning the wheel over the panel scrolls the panel.
+class Calm_slider : public QSlider {
+ public:
+  using QSlider::QSlider;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+}  // namespace
+
+Settings_panel::Settings_panel(std::shared_ptr<const Registry> registry, QWidget* parent)
+    : QScrollArea(parent), registry_(std::move(registry)) {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  const int em = fontMetrics().height();
+  column->setContentsMargins(em / 2, em / 2, em / 2, em / 2);
+  column->setSpacing(em / 3);
+  const Module_spec* group = nullptr;
+  for (const Setting_spec& spec : registry_->settings()) {
+    const Module_spec* module = registry_->module_of(spec.id);
+    if (module != group && module) {
+      if (group) column->addSpacing(em / 2);
+      auto* heading = new QLabel(text_of(module->label), content);
+      heading->setToolTip(text_of(module->help));
+      QFont bold = heading->font();
+      bold.setBold(true);
+      heading->setFont(bold);
+      column->addWidget(heading);
+    }
+    group = module;
+    add_row(spec, column);
+  }
+  column->addStretch(1);
+  setWidget(content);
+  set_settings({});
+}
+
+void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column) {
+  Row row;
+  QWidget* editor = std::holds_alternative<bool>(spec.default_value)          ? make_switch(spec, row)
+                    : std::holds_alternative<std::string>(spec.default_value) ? make_text(spec, row)
+                                                                              : make_number(spec, row);
+  row.reset = new QToolButton(widget() ? widget() : this);
+  row.reset->setText(QStringLiteral("●"));
+  row.reset->setAutoRaise(true);
+  row.reset->setAccessibleName(tr("Reset %1").arg(text_of(spec.label)));
+  row.reset->setToolTip(tr("Back to the default, %1").arg(text_of(to_text(spec.default_value))));
+  QSizePolicy keep = row.reset->sizePolicy();
+  keep.setRetainSizeWhenHidden(true);
+  row.reset->setSizePolicy(keep);
+  connect(row.reset, &QToolButton::clicked, this, [this, &spec] { change(spec, spec.default_value, {}); });
+  auto* line = new QHBoxLayout;
+  line->setSpacing(fontMetrics().height() / 4);
+  line->addWidget(editor, 1);
+  line->addWidget(row.reset, 0, Qt::AlignTop);
+  column->addLayout(line);
+  rows_.emplace(spec.id, std::move(row));
+}
+
+QWidget* Settings_panel::make_switch(const Setting_spec& spec, Row& row) {
+  auto* box = new QCheckBox(text_of(spec.label), this);
+  box->setToolTip(text_of(spec.help));
+  box->setAccessibleName(text_of(spec.label));
+  connect(box, &QCheckBox::toggled, this, [this, &spec](bool is_on) { change(spec, is_on, {}); });
+  row.show = [box](const Setting_value& value) {
+    const QSignalBlocker quiet(box);
+    box->setChecked(std::get<bool>(value));
+  };
+  return box;
+}
+
+QWidget* Settings_panel::make_text(const Setting_spec& spec, Row& row) {
+  auto* holder = new QWidget(this);
+  auto* layout = new QHBoxLayout(holder);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(text_of(spec.label), holder);
+  label->setToolTip(text_of(spec.help));
+  layout->addWidget(label, 1);
+  if (spec.choices.empty()) {
+    auto* line = new QLineEdit(holder);
+    line->setToolTip(text_of(spec.help));
+    line->setAccessibleName(text_of(spec.label));
+    connect(line, &QLineEdit::editingFinished, this,
+            [this, &spec, line] { change(spec, line->text().toStdString(), {}); });
+    row.show = [line](const Setting_value& value) { line->setText(text_of(std::get<std::string>(value))); };
+    layout->addWidget(line);
+    return holder;
+  }
+  auto* combo = new QComboBox(holder);
+  for (const std::string& choice : spec.choices) combo->addItem(text_of(choice));
+  combo->setToolTip(text_of(spec.help));
+  combo->setAccessibleName(text_of(spec.label));
+  combo->setFocusPolicy(Qt::StrongFocus);
+  connect(combo, &QComboBox::textActivated, this,
+          [this, &spec](const QString& text) { change(spec, text.toStdString(), {}); });
+  row.show = [combo](const Setting_value& value) {
+    const QSignalBlocker quiet(combo);
+    combo->setCurrentText(text_of(std::get<std::string>(value)));
+  };
+  layout->addWidget(combo);
+  return holder;
+}
+
+QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
+  const bool is_whole = std::holds_alternative<std::int64_t>(spec.default_value);
+  const double start = number_of(spec.default_value);
+  const auto as_value = [is_whole](double number) -> Setting_value {
+    if (is_whole) return static_cast<std::int64_t>(std::llround(number));
+    return number;
+  };
+  auto* holder = new QWidget(this);
+  auto* grid = new QGridLayout(holder);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(0);
+  auto* label = new QLabel(text_of(spec.label), holder);
+  auto* unit = new QLabel(text_of(spec.unit), holder);
+  QPalette faint = unit->palette();
+  faint.setColor(QPalette::WindowText, subdued_text(palette()));
+  unit->setPalette(faint);
+  auto* field = new Number_field(holder);
+  field->set_bounds(spec.minimum, spec.maximum);
+  if (is_whole) field->set_step(1);
+  field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.00000000")));
+  field->setAccessibleName(text_of(spec.label));
+  auto* slider = new Calm_slider(Qt::Horizontal, holder);
+  slider->setRange(0, Slider_scale::steps);
+  slider->setPageStep(Slider_scale::steps / 20);
+  slider->setAccessibleName(tr("Slider of %1").arg(text_of(spec.label)));
+  const QString help = tr("%1 (%2)").arg(text_of(spec.help), text_of(spec.id));
+  for (QWidget* part : {static_cast<QWidget*>(label), static_cast<QWidget*>(unit), static_cast<QWidget*>(field),
+                        static_cast<QWidget*>(slider)})
+    part->setToolTip(help);
+  grid->addWidget(label, 0, 0);
+  grid->addWidget(field, 0, 1);
+  grid->addWidget(slider, 1, 0);
+  grid->addWidget(unit, 1, 1, Qt::AlignRight);
+  grid->setColumnStretch(0, 1);
+
+  const bool is_bounded = std::isfinite(spec.minimum) && std::isfinite(spec.maximum);
+  const double lower = std::isfinite(spec.minimum) ? spec.minimum : 0;
+  constexpr double modest_span = 10;
+  const auto scale = std::make_shared<Slider_scale>(lower, is_bounded ? spec.maximum : lower + modest_span, start);
+  connect(field, &Number_field::edited, this, [this, &spec, as_value](const std::optional<double>& number) {
+    if (number) change(spec, as_value(*number), QStringLiteral("setting/%1").arg(gesture_));
+  });
+  connect(field, &Number_field::finished, this, [this] { ++gesture_; });
+  connect(slider, &QSlider::sliderPressed, this, [this] { ++gesture_; });
+  connect(slider, &QSlider::sliderReleased, this, [this] { ++gesture_; });
+  connect(slider, &QSlider::valueChanged, this, [this, &spec, as_value, scale](int position) {
+    change(spec, as_value(scale->value(position)), QStringLiteral("setting/%1").arg(gesture_));
+  });
+  const auto show = [field, slider, scale](double number) {
+    field->show_value(number);
+    const QSignalBlocker quiet(slider);
+    if (!slider->isSliderDown()) slider->setValue(scale->position(number));
+  };
+  row.show = [show](const Setting_value& value) { show(number_of(value)); };
+  if (!is_bounded) {
+    row.set_slider_maximum = [this, &spec, scale, show, start](double maximum) {
+      scale->set_maximum(maximum, start);
+      show(number_of(registry_->value(settings_, spec.id)));
+    };
+  }
+  return holder;
+}
+
+void Settings_panel::set_settings(const Settings& settings) {
+  settings_ = settings;
+  for (auto& [id, row] : rows_) {
+    row.show(registry_->value(settings, id));
+    row.reset->setVisible(settings.find(id) != nullptr);
+  }
+}
+
+void Settings_panel::set_slider_maximum(const std::string& setting, double maximum) {
+  const auto it = rows_.find(setting);
+  if (it != rows_.end() && it->second.set_slider_maximum) it->second.set_slider_maximum(maximum);
+}
+
+void Settings_panel::change(const Setting_spec& spec, const Setting_value& value, const QString& merge) {
+  if (value == registry_->value(settings_, spec.id)) return;
+  const bool is_default = value == spec.default_value;
+  const Settings after = is_default ? settings_.without(spec.id) : settings_.with(spec.id, value);
+  Q_EMIT edited(after, text_of(spec.label), merge);
+}
+
+}  // namespace mesecina

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QScrollArea>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/registry.h"
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace mesecina {
+
+/// Every setting of the registry with a control that suits its type, grouped by module. It owns no truth: it shows what
+/// it was given and says what the user wants changed.
+class Settings_panel : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit Settings_panel(std::shared_ptr<const Registry> registry, QWidget* parent = nullptr);
+
+  void set_settings(const Settings& settings);
+  /// How far the slider of a setting without an upper bound of its own goes.
+  void set_slider_maximum(const std::string& setting, double maximum);
+
+ Q_SIGNALS:
+  /// `merge` is the same for all steps of one drag.
+  void edited(const mesecina::Settings& settings, const QString& what, const QString& merge);
+
+ private:
+  struct Row {
+    std::function<void(const Setting_value&)> show;
+    std::function<void(double)> set_slider_maximum;
+    QToolButton* reset = nullptr;
+  };
+  void add_row(const Setting_spec& spec, QVBoxLayout* column);
+  QWidget* make_switch(const Setting_spec& spec, Row& row);
+  QWidget* make_text(const Setting_spec& spec, Row& row);
+  QWidget* make_number(const Setting_spec& spec, Row& row);
+  void change(const Setting_spec& spec, const Setting_value& value, const QString& merge);
+
+  std::shared_ptr<const Registry> registry_;
+  Settings settings_;
+  std::map<std::string, Row> rows_;
+  int gesture_ = 0;  ///< numbers the drags: one is one step of undo
+};
+
+}  // namespace mesecina

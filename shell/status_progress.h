@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+
+namespace mesecina {
+
+/// What takes long, how far it is, and a button that stops it; for a status bar. Shows itself only when something has
+/// run for a third of a second.
+class Status_progress : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Status_progress(QWidget* parent = nullptr);
+
+  void begin(const QString& text);
+  /// fraction in [0,1]; negative: not known.
+  void report(const QString& text, double fraction);
+  void end();
+  bool is_running() const { return is_running_; }
+
+ Q_SIGNALS:
+  void cancel_requested();
+
+ private:
+  bool is_running_ = false;
+  QTimer delay_;
+  QLabel* text_;
+  QProgressBar* bar_;
+};
+
+}  // namespace mesecina

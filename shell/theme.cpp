@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/theme.h"
+
+#include <QApplication>
+#include <QColor>
+#include <QStyle>
+#include <cmath>
+
+#include "layers/panel_paint.h"
+
+namespace mesecina {
+
+namespace {
+
+struct Tones {
+  QRgb window, base, alternate, button, text, faint, mid, dark, light, highlight, highlighted_text, link, tip, tip_text;
+};
+
+constexpr Tones light_tones{0xfff4f5f7, 0xffffffff, 0xfff1f3f6, 0xfffafbfc, 0xff1d2129, 0xff9aa1ab, 0xffc9ced6,
+                            0xff9fa6b1, 0xffffffff, 0xff2f6fde, 0xffffffff, 0xff1f5fd0, 0xff23272f, 0xfff4f5f7};
+constexpr Tones dark_tones{0xff24272d, 0xff1b1d22, 0xff212429, 0xff30343c, 0xffe4e7ec, 0xff777e8a, 0xff454a54,
+                           0xff15171b, 0xff4a505b, 0xff3f7ee8, 0xffffffff, 0xff7fb0ff, 0xff3a3f48, 0xfff0f2f5};
+
+QPalette palette_of(const Tones& tones) {
+  QPalette palette;
+  const auto set = [&](QPalette::ColorRole role, QRgb tone) { palette.setColor(role, QColor::fromRgb(tone)); };
+  set(QPalette::Window, tones.window);
+  set(QPalette::WindowText, tones.text);
+  set(QPalette::Base, tones.base);
+  set(QPalette::AlternateBase, tones.alternate);
+  set(QPalette::Text, tones.text);
+  set(QPalette::PlaceholderText, tones.faint);
+  set(QPalette::Button, tones.button);
+  set(QPalette::ButtonText, tones.text);
+  set(QPalette::BrightText, 0xffff5050);
+  set(QPalette::Light, tones.light);
+  set(QPalette::Midlight, tones.mid);
+  set(QPalette::Mid, tones.mid);
+  set(QPalette::Dark, tones.dark);
+  set(QPalette::Shadow, 0xff000000);
+  set(QPalette::Highlight, tones.highlight);
+  set(QPalette::HighlightedText, tones.highlighted_text);
+  set(QPalette::Link, tones.link);
+  set(QPalette::LinkVisited, tones.link);
+  set(QPalette::ToolTipBase, tones.tip);
+  set(QPalette::ToolTipText, tones.tip_text);
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, QColor::fromRgb(tones.faint));
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgb(tones.mid));
+  palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(tones.faint));
+  return palette;
+}
+
+/// Relative luminance after WCAG 2.
+double luminance(Color color) {
+  const auto linear = [](std::uint8_t component) {
+    const double c = component / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+}
+
+}  // namespace
+
+Theme_switch::Theme_switch() : system_style_(QApplication::style()->name()), system_palette_(QApplication::palette()) {}
+
+void Theme_switch::apply(Theme theme) {
+  theme_ = theme;
+  QApplication::setStyle(theme == Theme::system ? system_style_ : QStringLiteral("Fusion"));
+  QApplication::setPalette(theme == Theme::light  ? palette_of(light_tones)
+                           : theme == Theme::dark ? palette_of(dark_tones)
+                                                  : system_palette_);
+}
+
+Color canvas_color(Canvas_background background, const QPalette& palette) {
+  switch (background) {
+    case Canvas_background::paper:
+      return {255, 255, 255};
+    case Canvas_background::dark:
+      return {24, 26, 30};
+    case Canvas_background::window:
+      break;
+  }
+  return from_qcolor(palette.color(QPalette::Window));
+}
+
+Color visible_on(Color background, Color color) {
+  const auto contrast = [&](Color c) {
+    const double a = luminance(c) + 0.05;
+    const double b = luminance(background) + 0.05;
+    return a > b ? a / b : b / a;
+  };
+  constexpr double least_contrast = 3;
+  constexpr double dark_background = 0.2;
+  if (luminance(background) > dark_background || contrast(color) >= least_contrast) return color;
+  const QColor hsl = to_qcolor(color).toHsl();
+  return from_qcolor(QColor::fromHslF(hsl.hslHueF(), hsl.hslSaturationF(), 1 - hsl.lightnessF()));
+}
+
+}  // namespace mesecina
