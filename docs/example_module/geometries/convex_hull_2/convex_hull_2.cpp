@@ -58,7 +58,8 @@ Convex_hull_2 convex_hull(std::span<const Point_2> points, Progress& progress) {
   std::iota(order.begin(), order.end(), 0);
   const auto position = [&](int i) { return std::pair(points[i].x, points[i].y); };
   std::ranges::stable_sort(order, {}, position);
-  order.erase(std::ranges::unique(order, {}, position).begin(), order.end());
+  const auto is_equal = [&](int i, int j) { return points[i] == points[j]; };
+  order.erase(std::unique(order.begin(), order.end(), is_equal), order.end());
   progress.check();
   Convex_hull_2 hull;
   if (order.size() < 2) {

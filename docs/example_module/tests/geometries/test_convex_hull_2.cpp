@@ -45,6 +45,7 @@ TEST(Convex_hull, of_points_nearly_on_a_line_is_exact) {
 /// The definition: pq is a side iff all other points are to its left.
 TEST(Convex_hull, equals_brute_force) {
   std::mt19937 random(1);
+  int hulls = 0;
   for (int round = 0; round < 200; ++round) {
     const int size = 2 + round / 10;
     std::uniform_int_distribution<int> coordinate(0, size);
@@ -52,6 +53,7 @@ TEST(Convex_hull, equals_brute_force) {
     for (Point_2& p : points) p = {static_cast<double>(coordinate(random)), static_cast<double>(coordinate(random))};
     const std::vector<int> hull = corners(points);
     if (hull.size() < 3) continue;
+    ++hulls;
     for (std::size_t i = 0; i < hull.size(); ++i) {
       const Point_2& p = points[hull[i]];
       const Point_2& q = points[hull[(i + 1) % hull.size()]];
@@ -59,6 +61,7 @@ TEST(Convex_hull, equals_brute_force) {
       for (const Point_2& r : points) EXPECT_GE(area(p, q, r), 0);
     }
   }
+  EXPECT_GT(hulls, 190);
 }
 
 TEST(Convex_hull_layer, is_a_closed_curve_or_has_a_reason) {
