@@ -34,6 +34,9 @@ expect_json stats.jsonl '.[0].layers["medial-axis"] | .euler == 1 and .betti == 
 expect_json stats.jsonl '.[1].layers.points.reason | length > 0'
 expect_json stats.jsonl '.[3].warnings | map(select(test("1 of 4"))) | length == 1'
 
+succeed --nogui ellipse.xy --output unnamed --stats
+expect_json unnamed/stats.jsonl 'length == 1 and .[0].input == "ellipse.xy"'
+
 run --nogui ellipse.xy --stats no/such/folder.jsonl --output out9
 [ "$status" -ne 0 ] && [ "$status" -lt 126 ] || fail "expected a failure, and no crash"
 expect_in stderr "no/such/folder.jsonl"
