@@ -12,6 +12,16 @@
 
 namespace mesecina {
 
+/// Runs body() where TBB's algorithms use as many threads as `progress` allows.
+template <class Body>
+void parallel_region(const Progress& progress, const Body& body) {
+  if (progress.threads() <= 1) {
+    body();
+  } else {
+    tbb::task_arena(progress.threads()).execute(body);
+  }
+}
+
 /// Calls body(b) for b in [0, blocks), on as many threads as `progress` allows, testing for cancellation before each.
 /// The calls must be independent of each other, so that the result is the same for every number of threads.
 template <class Body>
@@ -23,8 +33,7 @@ void parallel_blocks(std::size_t blocks, Progress& progress, const Body& body) {
     }
     return;
   }
-  tbb::task_arena arena(progress.threads());
-  arena.execute([&] {
+  parallel_region(progress, [&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks), [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t b = range.begin(); b < range.end(); ++b) {
         progress.check();

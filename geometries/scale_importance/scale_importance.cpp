@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/scale_importance/scale_importance.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -159,24 +157,55 @@ Node Node::around(std::span<const Disk> disks) {
 
 }  // namespace
 
-/// Disks in Hilbert order under a tree of nodes; level 0 holds the leaves.
+namespace {
+
+struct Entry {
+  Disk disk;
+  int index;
+};
+
+/// Orders the entries so that the aligned blocks of leaf_size * 2^k of them are the cells of a kd-tree, each cut across
+/// the longer side of the box of its centers. (A space-filling curve with fixed alternation of the axes would cut a
+/// medial axis along a coordinate axis by its rounding noise, and spread every block over half of it.)
+void sort_into_cells(std::span<Entry> entries, const Progress& progress) {
+  if (entries.size() <= leaf_size) return;
+  progress.check();
+  Box box;
+  for (const Entry& entry : entries) box.add(Point_2{entry.disk.x, entry.disk.y});
+  const std::size_t half = std::bit_ceil((entries.size() + leaf_size - 1) / leaf_size) / 2 * leaf_size;
+  const auto middle = entries.begin() + static_cast<std::ptrdiff_t>(half);
+  if (box.upper.x - box.lower.x >= box.upper.y - box.lower.y) {
+    std::ranges::nth_element(entries, middle, {}, [](const Entry& entry) { return entry.disk.x; });
+  } else {
+    std::ranges::nth_element(entries, middle, {}, [](const Entry& entry) { return entry.disk.y; });
+  }
+  const auto lower = [&] { sort_into_cells(entries.first(half), progress); };
+  const auto upper = [&] { sort_into_cells(entries.subspan(half), progress); };
+  constexpr std::size_t worth_a_task = 1 << 15;
+  if (entries.size() > worth_a_task && progress.threads() > 1) {
+    tbb::parallel_invoke(lower, upper);
+  } else {
+    lower();
+    upper();
+  }
+}
+
+}  // namespace
+
+/// Disks in the order of a kd-tree under a tree of nodes; level 0 holds the leaves.
 class Scale_importance::Hierarchy {
  public:
   Hierarchy(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    using Indexed = std::pair<Kernel::Point_2, int>;
-    std::vector<Indexed> sorted;
-    sorted.reserve(centers.size());
+    std::vector<Entry> entries;
+    entries.reserve(centers.size());
     for (std::size_t i = 0; i < centers.size(); ++i)
-      sorted.emplace_back(Kernel::Point_2(centers[i].x, centers[i].y), static_cast<int>(i));
-    CGAL::hilbert_sort(sorted.begin(), sorted.end(),
-                       CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Indexed>>());
-    progress.check();
-    order_.reserve(sorted.size());
-    disks_.reserve(sorted.size());
-    for (const auto& [point, index] : sorted) {
-      order_.push_back(index);
-      disks_.push_back({point.x(), point.y(), radii[index]});
+      entries.push_back({{centers[i].x, centers[i].y, radii[i]}, static_cast<int>(i)});
+    parallel_region(progress, [&] { sort_into_cells(entries, progress); });
+    order_.reserve(entries.size());
+    disks_.reserve(entries.size());
+    for (const Entry& entry : entries) {
+      order_.push_back(entry.index);
+      disks_.push_back(entry.disk);
     }
     for (std::size_t size = leaf_size;; size *= fan_out) {
       std::vector<Node>& level = levels_.emplace_back((disks_.size() + size - 1) / size);

@@ -24,8 +24,9 @@ struct Scale_importance {
   std::vector<int> disk_of_entry;
 };
 
-/// By a bounding volume hierarchy over (center, radius); near-linear in practice. Radii must be finite and >= 0.
-/// Each value is the least of the quotients as rounded, so it is the same for every number of threads and search order.
+/// By a bounding volume hierarchy over (center, radius); near-linear in practice. Radii must be finite and >= 0,
+/// distances and radii such that their squares do not overflow (up to about 1e150). Each value is the least of the
+/// quotients as rounded, so it is the same for every number of threads and search order.
 Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress);
 
 /// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged; -1
