@@ -26,7 +26,15 @@ inline double squared_distance(const Point_2& p, const Point_2& q) {
   return dx * dx + dy * dy;
 }
 
-inline double distance(const Point_2& p, const Point_2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+/// sqrt(x^2 + y^2) without overflow or underflow, and as fast as the formula where neither threatens.
+inline double euclidean_norm(double x, double y) {
+  constexpr double smallest_safe_square = 1e-280;
+  constexpr double largest_safe_square = 1e280;
+  const double square = x * x + y * y;
+  return square > smallest_safe_square && square < largest_safe_square ? std::sqrt(square) : std::hypot(x, y);
+}
+
+inline double distance(const Point_2& p, const Point_2& q) { return euclidean_norm(p.x - q.x, p.y - q.y); }
 
 inline Point_2 midpoint(const Point_2& p, const Point_2& q) { return {(p.x + q.x) / 2, (p.y + q.y) / 2}; }
 

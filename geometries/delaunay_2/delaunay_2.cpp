@@ -132,9 +132,13 @@ Voronoi_2 voronoi(const Delaunay_2& triangulation, Progress& progress) {
     const double rx = r.x - p.x;
     const double ry = r.y - p.y;
     // Scaled by a power of two, so that very small and very large coordinates neither overflow nor vanish.
-    int exponent = 0;
-    std::frexp(std::max({std::abs(qx), std::abs(qy), std::abs(rx), std::abs(ry)}), &exponent);
-    const double scale = std::ldexp(1.0, -exponent);
+    const double size = std::max({std::abs(qx), std::abs(qy), std::abs(rx), std::abs(ry)});
+    double scale = 1;
+    if (!(size > 1e-60 && size < 1e60)) {
+      int exponent = 0;
+      std::frexp(size, &exponent);
+      scale = std::ldexp(1.0, -exponent);
+    }
     const double sqx = qx * scale;
     const double sqy = qy * scale;
     const double srx = rx * scale;
@@ -152,7 +156,7 @@ Voronoi_2 voronoi(const Delaunay_2& triangulation, Progress& progress) {
     const double cx = (sry * q2 - sqy * r2) / twice_cross / scale;
     const double cy = (sqx * r2 - srx * q2) / twice_cross / scale;
     result.vertices[t] = {p.x + cx, p.y + cy};
-    result.radii[t] = std::hypot(cx, cy);
+    result.radii[t] = euclidean_norm(cx, cy);
   });
   return result;
 }
