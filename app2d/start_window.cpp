@@ -1,14 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app2d/start_window.h"
 
+#include <time.h>
+#include <unistd.h>
+
 #include <QApplication>
 #include <QLocale>
+#include <QPixmap>
 #include <QSurfaceFormat>
+#include <QTimer>
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include "app2d/main_window_2.h"
 
 namespace mesecina {
+
+namespace {
+
+/// Seconds since this process was started, to a hundredth; negative where the system does not say.
+double seconds_since_start() {
+  std::ifstream stat("/proc/self/stat");
+  std::string line;
+  std::getline(stat, line);
+  // The second field is the program's name in parentheses; the 22nd is the start in clock ticks since boot.
+  const auto after_name = line.rfind(')');
+  if (after_name == std::string::npos) return -1;
+  std::istringstream fields(line.substr(after_name + 1));
+  std::string field;
+  constexpr int start_field = 20;
+  for (int i = 0; i < start_field; ++i) fields >> field;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
+         std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// With MESECINA_FIRST_PICTURE set, for scripts that measure or document the program: when everything visible is
+/// computed and drawn, says after how long on stderr, saves the window to the file named by the variable unless that is
+/// "-", and quits.
+void report_first_picture(Main_window_2& window) {
+  const QString file = qEnvironmentVariable("MESECINA_FIRST_PICTURE");
+  if (file.isEmpty()) return;
+  QObject::connect(&window.computation(), &Computation::busy_changed, &window, [&window, file](bool is_busy) {
+    if (is_busy) return;
+    QTimer::singleShot(0, &window, [&window, file] {
+      window.canvas().grab_picture();
+      std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;
+      const bool saved = file == QLatin1String("-") || window.grab().save(file);
+      QCoreApplication::exit(saved ? exit_success : exit_some_failed);
+    });
+  });
+}
+
+}  // namespace
 
 int start_window(int argc, char** argv, const Command_line& command_line, std::shared_ptr<const Registry> registry,
                  Formats formats) {
@@ -34,6 +80,7 @@ int start_window(int argc, char** argv, const Command_line& command_line, std::s
   QGuiApplication::setApplicationDisplayName(QString());
   Main_window_2 window(std::move(registry), std::move(formats),
                        {command_line.files, command_line.layers, command_line.settings});
+  report_first_picture(window);
   window.show();
   return QApplication::exec();
 }
