@@ -24,9 +24,7 @@ int run_without_window(const mesecina::Command_line& command_line, std::shared_p
   return mesecina::run_batch(command_line, program, std::move(registry), formats, std::cerr);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   const auto registry = mesecina::make_registry_2();
   mesecina::Formats formats = mesecina::planar_formats();
   mesecina::add_picture_formats(formats);
@@ -39,4 +37,15 @@ int main(int argc, char** argv) {
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
   if (command_line.nogui) return run_without_window(command_line, registry, formats);
   return mesecina::start_window(argc, argv, command_line, registry, std::move(formats));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << program << ": " << error.what() << std::endl;
+    return mesecina::exit_some_failed;
+  }
 }

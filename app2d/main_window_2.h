@@ -41,7 +41,7 @@ struct Startup {
 class Main_window_2 : public QMainWindow {
   Q_OBJECT
  public:
-  Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, Startup startup);
+  Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup);
   ~Main_window_2() override;
 
   Document& document() { return document_; }

@@ -146,8 +146,7 @@ void Points_table_2::take_selection() {
   for (const QItemSelectionRange& range : selectionModel()->selection())
     for (int row = range.top(); row <= range.bottom(); ++row) selection.points.push_back(static_cast<std::size_t>(row));
   std::ranges::sort(selection.points);
-  const auto repeated = std::ranges::unique(selection.points);
-  selection.points.erase(repeated.begin(), repeated.end());
+  selection.points.erase(std::unique(selection.points.begin(), selection.points.end()), selection.points.end());
   is_showing_selection_ = true;
   editor_.select(std::move(selection));
   is_showing_selection_ = false;

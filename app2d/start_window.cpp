@@ -43,15 +43,20 @@ double seconds_since_start() {
 void report_first_picture(Main_window_2& window) {
   const QString file = qEnvironmentVariable("MESECINA_FIRST_PICTURE");
   if (file.isEmpty()) return;
-  QObject::connect(&window.computation(), &Computation::busy_changed, &window, [&window, file](bool is_busy) {
-    if (is_busy) return;
-    QTimer::singleShot(0, &window, [&window, file] {
-      window.canvas().grab_picture();
-      std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;
+  auto* poll = new QTimer(&window);
+  constexpr int poll_interval = 10;
+  QObject::connect(poll, &QTimer::timeout, &window, [&window, poll, file] {
+    if (window.document().inputs().is_empty() || window.computation().is_busy()) return;
+    poll->stop();
+    window.canvas().grab_picture();
+    std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;
+    constexpr int time_to_settle = 500;
+    QTimer::singleShot(time_to_settle, &window, [&window, file] {
       const bool saved = file == QLatin1String("-") || window.grab().save(file);
       QCoreApplication::exit(saved ? exit_success : exit_some_failed);
     });
   });
+  poll->start(poll_interval);
 }
 
 }  // namespace

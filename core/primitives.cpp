@@ -123,7 +123,7 @@ std::optional<Topology> topology(const Primitive_set& set) {
     for (int i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3]);
   if (!set.triangles.empty()) {
     std::ranges::sort(edges);
-    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
 
   std::vector<int> parent(set.vertices.size());

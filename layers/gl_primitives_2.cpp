@@ -93,7 +93,7 @@ Element_numbers::Element_numbers(const std::vector<double>& values) {
     greatest = std::max(greatest, value);
   }
   std::ranges::sort(sorted_);
-  sorted_.erase(std::ranges::unique(sorted_).begin(), sorted_.end());
+  sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
   if (smallest <= greatest) {
     base_ = smallest;
     const double spread = greatest - smallest;
@@ -115,7 +115,7 @@ float Element_numbers::highest_rank(double limit) const {
   return static_cast<float>(std::ranges::upper_bound(sorted_, limit) - sorted_.begin()) - 1;
 }
 
-Gl_primitives::Gl_primitives(std::shared_ptr<const Primitive_set> set) : set_(set) {
+Gl_primitives::Gl_primitives(const std::shared_ptr<const Primitive_set>& set) : set_(set) {
   const Box box = set->bounding_box();
   const Point_2 middle{(box.lower.x + box.upper.x) / 2, (box.lower.y + box.upper.y) / 2};
   if (std::isfinite(middle.x) && std::isfinite(middle.y)) origin_ = middle;

@@ -63,7 +63,7 @@ struct Gl_batch {
 /// uploaded, and again only when the view leaves that window.
 class Gl_primitives {
  public:
-  explicit Gl_primitives(std::shared_ptr<const Primitive_set> set);
+  explicit Gl_primitives(const std::shared_ptr<const Primitive_set>& set);
 
   bool is_of(const std::shared_ptr<const Primitive_set>& set) const { return set_.lock() == set; }
   bool is_expired() const { return set_.expired(); }

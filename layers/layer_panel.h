@@ -13,9 +13,9 @@ namespace mesecina {
 struct Layer_status {
   enum class State { not_computed, current, stale, computing, failed };
   State state = State::not_computed;
-  QString reason;          ///< when failed
+  QString reason;  ///< when failed
   QStringList warnings;
-  std::size_t count = 0;   ///< elements
+  std::size_t count = 0;  ///< elements
   double seconds = 0;
 };
 

@@ -67,7 +67,7 @@ bool is_better(const Candidate& a, const Candidate& b) {
 
 /// Boxes of one Primitive_set in the plane (as they are, y up).
 struct Picker_2::Index {
-  explicit Index(std::shared_ptr<const Primitive_set> primitives);
+  explicit Index(const std::shared_ptr<const Primitive_set>& primitives);
 
   struct Query {
     Point_2 position;      ///< in the plane
@@ -113,7 +113,7 @@ struct Picker_2::Index {
   std::vector<bool> drawn_;
 };
 
-Picker_2::Index::Index(std::shared_ptr<const Primitive_set> given) : primitives(given), set_(given.get()) {
+Picker_2::Index::Index(const std::shared_ptr<const Primitive_set>& given) : primitives(given), set_(given.get()) {
   const Primitive_set& set = *set_;
   first_segment_ = set.points.size();
   first_ray_ = first_segment_ + set.segments.size();

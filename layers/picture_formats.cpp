@@ -8,10 +8,12 @@
 #include <QPainter>
 #include <cstdint>
 #include <cstring>
+#include <iostream>
 #include <ostream>
 
 #include "layers/painter_canvas.h"
 #include "layers/pdf_writer.h"
+#include "layers/png_check.h"
 #include "layers/silhouette.h"
 #include "layers/svg_writer.h"
 
@@ -66,6 +68,7 @@ Image to_image(QImage picture) {
 }
 
 File_contents read_image(const std::filesystem::path& file) {
+  check_png(file);
   QImageReader reader(to_qt(file));
   reader.setDecideFormatFromContent(true);
   reader.setAutoTransform(true);
@@ -121,6 +124,10 @@ struct Picture_application::Arguments {
 
 Picture_application::Picture_application() {
   if (QCoreApplication::instance()) return;
+  // Drawing needs no runtime directory; that there is none is normal without a session, and nothing the user can mend.
+  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString& message) {
+    if (!message.startsWith(QLatin1String("QStandardPaths:"))) std::cerr << message.toStdString() << std::endl;
+  });
   arguments_ = std::make_unique<Arguments>();
   if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
     arguments_->count = 1;
@@ -129,7 +136,9 @@ Picture_application::Picture_application() {
   application_ = std::make_unique<QGuiApplication>(arguments_->count, arguments_->values.data());
 }
 
-Picture_application::~Picture_application() = default;
+Picture_application::~Picture_application() {
+  if (application_) qInstallMessageHandler(nullptr);
+}
 
 QImage paint_picture(const Scene& scene, const View_2& view, int width, int height) {
   QImage picture(width, height, QImage::Format_ARGB32_Premultiplied);

@@ -168,7 +168,7 @@ void Computation::send(std::vector<std::string> layers) {
   set_busy(true);
 }
 
-void Computation::take(Worker::Layer_result result) {
+void Computation::take(const Worker::Layer_result& result) {
   const auto sent = generations_.find(result.ticket);
   if (sent == generations_.end()) return;
   Layer& layer = layers_[result.layer];

@@ -67,7 +67,7 @@ class Computation : public QObject {
   std::vector<std::string> visible_layers() const;
   void request_visible();
   void send(std::vector<std::string> layers);
-  void take(Worker::Layer_result result);
+  void take(const Worker::Layer_result& result);
   void finish(std::uint64_t ticket);
   void set_busy(bool is_busy);
   void touch(const std::string& layer);

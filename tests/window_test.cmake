@@ -13,7 +13,7 @@ function(mesecina_window_run name program)
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: xvfb-run is not installed")
   endif()
   set_tests_properties(
-    ${name} PROPERTIES LABELS gl TIMEOUT 600 SKIP_REGULAR_EXPRESSION "skipped: xvfb-run is not installed"
+    ${name} PROPERTIES LABELS gl TIMEOUT 600 RESOURCE_LOCK virtual-display SKIP_REGULAR_EXPRESSION "skipped: xvfb-run is not installed"
                        ENVIRONMENT "QT_QPA_PLATFORM=xcb;LIBGL_ALWAYS_SOFTWARE=1;WAYLAND_DISPLAY=;${ARGN}")
 endfunction()
 

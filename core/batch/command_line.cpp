@@ -175,6 +175,11 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     result.output = output;
     if (app.count("--stats") > 0)
       result.stats = stats.empty() ? result.output / "stats.jsonl" : std::filesystem::path(stats);
+    // .json may hold an outline, but is also what a file of statistics is likely to be called.
+    if (result.stats && result.stats->extension() != ".json" && formats.reader_for(*result.stats))
+      throw Usage_error("--stats " + stats +
+                        ": this looks like an input and would be overwritten; put --stats last, or " +
+                        "give it a name like stats.jsonl");
     if (!list.empty()) return Early_exit{exit_success, list_text(list, result.list_as_json, registry, formats)};
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));

@@ -63,8 +63,8 @@ struct Picture_writer {
   std::function<void(const std::filesystem::path&, const Scene&, const View_2&, int width, int height)> write;
 };
 
-/// Writes inputs back, losslessly: reading the file gives equal inputs. (Only the order of an outline's rings may change:
-/// holes follow their outer ring.)
+/// Writes inputs back, losslessly: reading the file gives equal inputs. (Only the order of an outline's rings may
+/// change: holes follow their outer ring.)
 struct Input_writer {
   std::string name;
   std::string extension;
