@@ -33,6 +33,8 @@ class Files_2 : public QObject {
   static QStringList examples();
   void open_example(const QString& name);
   void new_document();
+  /// Says that the document is the example of a first start.
+  void name_example() { set_current({}, tr("Example")); }
 
   /// Into the file of the document, if there is one that can hold everything, else asks.
   bool save();

@@ -60,7 +60,7 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
 
 }  // namespace
 
-Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, Startup startup)
+Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
     : registry_(std::move(registry)),
       formats_(std::make_shared<const Formats>(std::move(formats))),
       document_(first_state(*registry_, startup)),
@@ -142,7 +142,7 @@ void Main_window_2::build_docks() {
 }
 
 void Main_window_2::build_status_bar() {
-  hint_ = new QLabel(this);
+  hint_ = new QLabel(tr("? shows keys and mouse"), this);
   selected_ = new QLabel(this);
   coordinates_ = new QLabel(this);
   computing_ = new Status_progress(this);
@@ -195,7 +195,7 @@ void Main_window_2::connect_parts() {
     connect(tool, &Tool_2::preview_changed, this, &Main_window_2::show_overlay);
     connect(tool, &Tool_2::left, this, [this] {
       coordinates_->clear();
-      hint_->clear();
+      hint_->setText(tr("? shows keys and mouse"));
       hover_->forget();
     });
   }
@@ -205,13 +205,18 @@ void Main_window_2::start(const Startup& startup) {
   layer_panel_->set_layers(document_.layers());
   layer_panel_->set_settings(document_.settings());
   settings_panel_->set_settings(document_.settings());
+  layer_panel_->select({QStringLiteral("medial-axis")});
   canvas_->fit(bounding_box(document_.inputs()));
   show_title();
   show_scene();
   show_selection();
   QStringList paths;
   for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
-  files_->open(paths, false);
+  if (paths.isEmpty()) {
+    files_->name_example();
+  } else {
+    files_->open(paths, false);
+  }
 }
 
 void Main_window_2::use_tool(const QString& id) {

@@ -5,10 +5,9 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSpinBox>
-#include <QTimer>
 #include <QToolBar>
-#include <QWidgetAction>
 
 #include "app2d/generators_2.h"
 #include "app2d/main_window_2.h"
@@ -403,8 +402,9 @@ void Main_window_2::set_background(Canvas_background background) {
 
 void Main_window_2::restore() {
   const Preferences preferences(program);
-  constexpr QSize usual(1280, 800);
-  resize(usual);
+  constexpr QSize usual(1440, 900);
+  constexpr double share_of_screen = 0.92;
+  resize(usual.boundedTo(screen()->availableSize() * share_of_screen));
   restoreGeometry(preferences.value(QStringLiteral("geometry")).toByteArray());
   restoreState(preferences.value(QStringLiteral("docks")).toByteArray());
   const QString theme = preferences.value(QStringLiteral("theme"), QStringLiteral("theme-light")).toString();

@@ -50,7 +50,7 @@ QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gest
   for (const auto& [keys, text] : gestures) columns.last() += row(keys, text);
   QString group;
   std::size_t rows = gestures.size();
-  constexpr std::size_t most_rows = 24;
+  constexpr std::size_t most_rows = 17;
   for (const Actions::Entry& entry : actions.entries()) {
     if (entry.action->shortcuts().isEmpty()) continue;
     if (entry.group != group) {

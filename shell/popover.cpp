@@ -11,7 +11,7 @@
 namespace mesecina {
 
 Popover::Popover(const QString& title, QWidget* over)
-    : QFrame(over), column_(new QVBoxLayout(this)), form_(new QFormLayout) {
+    : QFrame(over->parentWidget()), over_(over), column_(new QVBoxLayout(this)), form_(new QFormLayout) {
   const int em = fontMetrics().height();
   setAccessibleName(title);
   setObjectName(QStringLiteral("popover"));
@@ -44,7 +44,7 @@ Popover::Popover(const QString& title, QWidget* over)
 void Popover::open() {
   const int em = fontMetrics().height();
   adjustSize();
-  move(em / 2, em / 2);
+  move(over_->pos() + QPoint(em / 2, em / 2));
   show();
   raise();
   if (QWidget* first = nextInFocusChain()) {

@@ -10,7 +10,8 @@ class QVBoxLayout;
 namespace mesecina {
 
 /// A small plate in a corner of another widget with a title, some controls and a button to close it. Everything else
-/// stays usable meanwhile; Esc within closes it. Deletes itself when closed.
+/// stays usable meanwhile; Esc within closes it. Deletes itself when closed. It is no child of that widget but of its
+/// parent, so that the keys of the widget do not reach into it.
 class Popover : public QFrame {
   Q_OBJECT
  public:
@@ -32,6 +33,7 @@ class Popover : public QFrame {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QWidget* over_;
   QVBoxLayout* column_;
   QFormLayout* form_;
 };

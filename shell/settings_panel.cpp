@@ -186,23 +186,33 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
   QPalette faint = unit->palette();
   faint.setColor(QPalette::WindowText, subdued_text(palette()));
   unit->setPalette(faint);
+  // A long text is cut off rather than making the panel wider; the tip has it in full.
+  for (QLabel* text : {label, unit}) text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  QFont small = unit->font();
+  small.setPointSizeF(small.pointSizeF() * 0.9);
+  unit->setFont(small);
   auto* field = new Number_field(holder);
   field->set_bounds(spec.minimum, spec.maximum);
   if (is_whole) field->set_step(1);
-  field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.00000000")));
+  field->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.000000")));
   field->setAccessibleName(text_of(spec.label));
   auto* slider = new Calm_slider(Qt::Horizontal, holder);
   slider->setRange(0, Slider_scale::steps);
   slider->setPageStep(Slider_scale::steps / 20);
   slider->setAccessibleName(tr("Slider of %1").arg(text_of(spec.label)));
-  const QString help = tr("%1 (%2)").arg(text_of(spec.help), text_of(spec.id));
+  const QString help =
+      spec.unit.empty() ? text_of(spec.help) : tr("%1\nIn %2.").arg(text_of(spec.help), text_of(spec.unit));
   for (QWidget* part : {static_cast<QWidget*>(label), static_cast<QWidget*>(unit), static_cast<QWidget*>(field),
                         static_cast<QWidget*>(slider)})
     part->setToolTip(help);
   grid->addWidget(label, 0, 0);
-  grid->addWidget(field, 0, 1);
-  grid->addWidget(slider, 1, 0);
-  grid->addWidget(unit, 1, 1, Qt::AlignRight);
+  grid->addWidget(field, 0, 1, 2, 1, Qt::AlignTop);
+  if (spec.unit.empty()) {
+    unit->hide();
+  } else {
+    grid->addWidget(unit, 1, 0);
+  }
+  grid->addWidget(slider, 2, 0, 1, 2);
   grid->setColumnStretch(0, 1);
 
   const bool is_bounded = std::isfinite(spec.minimum) && std::isfinite(spec.maximum);

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QUrl>
+#include <QtTest>
+
+#include "window_fixture.h"
+
+namespace mesecina {
+namespace {
+
+class Files : public Window_fixture {
+ protected:
+  void drop(const QStringList& paths, Qt::KeyboardModifiers modifiers = {}) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& path : paths) urls << QUrl::fromLocalFile(path);
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &data, Qt::LeftButton, modifiers);
+    QApplication::sendEvent(&window(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent event(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, modifiers);
+    QApplication::sendEvent(&window(), &event);
+    EXPECT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  }
+  QByteArray content(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+  }
+};
+
+TEST_F(Files, ADropReplacesAndCanBeUndone) {
+  const auto start = points();
+  drop({write("four.xy", "0 0\n1 0\n1 1\n0 1\n")});
+  EXPECT_EQ(points().size(), 4u);
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_TRUE(window().windowTitle().startsWith("four.xy[*]"));
+  trigger("undo");
+  EXPECT_EQ(points(), start);
+}
+
+TEST_F(Files, SeveralFilesAndModifiersAdd) {
+  drop({write("a.xy", "0 0\n1 0\n"), write("b.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 0))")});
+  EXPECT_EQ(points().size(), 2u);
+  ASSERT_NE(document().inputs().get(outline_input), nullptr);
+  drop({write("c.xy", "9 9\n")}, Qt::ControlModifier);
+  EXPECT_EQ(points(), (std::vector<Point_2>{{0, 0}, {1, 0}, {9, 9}}));
+  EXPECT_TRUE(document().is_modified());
+}
+
+TEST_F(Files, ABadFileChangesNothingAndSaysWhere) {
+  const Inputs start = document().inputs();
+  drop({write("bad.xy", "0 0\n1 zero\n")});
+  EXPECT_TRUE(document().inputs() == start);
+  EXPECT_EQ(document().history().count(), 0);
+  ASSERT_TRUE(window().messages().isVisible());
+  EXPECT_TRUE(window().messages().lines().front().contains("bad.xy:2"));
+  drop({folder_.filePath("missing.xy")});
+  EXPECT_TRUE(document().inputs() == start);
+  EXPECT_EQ(window().messages().lines().size(), 2);
+  press(Qt::Key_Escape);
+  EXPECT_FALSE(window().messages().isVisible());
+}
+
+TEST_F(Files, OfGoodAndBadFilesTheGoodOnesAreRead) {
+  drop({write("bad.wkt", "POLYGON (("), write("good.xy", "1 2\n")});
+  EXPECT_EQ(points(), (std::vector<Point_2>{{1, 2}}));
+  EXPECT_EQ(window().messages().lines().size(), 1);
+}
+
+TEST_F(Files, SavesWhatItReadExactly) {
+  drop({write("in.xy", "0.1 1e-300\n-7 123456789.123456789\n")});
+  const auto read = points();
+  const QString path = folder_.filePath("out.poff");
+  ASSERT_TRUE(window().files().save_to(path));
+  window().files().open({path}, false);
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  EXPECT_EQ(points(), read);
+}
+
+TEST_F(Files, SaveWritesTheFileOfTheDocument) {
+  const QString path = write("in.xy", "0 0\n1 1\n");
+  drop({path});
+  window().editor().add_point({5, 5});
+  EXPECT_TRUE(window().isWindowModified());
+  trigger("save");
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_EQ(content(path), "0 0\n1 1\n5 5\n");
+}
+
+TEST_F(Files, RefusesToLoseAPart) {
+  drop({write("a.xy", "0 0\n1 0\n"), write("b.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 0))")});
+  window().editor().add_point({5, 5});
+  const QString path = folder_.filePath("both.xy");
+  EXPECT_FALSE(window().files().save_to(path));
+  EXPECT_FALSE(QFile::exists(path));
+  EXPECT_TRUE(window().messages().lines().front().contains("outline"));
+  EXPECT_TRUE(window().files().save_part_to(path, "points"));
+  EXPECT_EQ(content(path), "0 0\n1 0\n5 5\n");
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_FALSE(window().files().save_to(folder_.filePath("what.docx")));
+}
+
+TEST_F(Files, ExportsThePictureAndTheLayers) {
+  ASSERT_TRUE(wait_until_current("medial-axis"));
+  const QString picture = folder_.filePath("view.svg");
+  window().files().export_picture(picture, canvas().scene(), canvas().view(), 400, 300);
+  std::map<std::string, QString> reasons;
+  window().files().export_layers(folder_.path(), canvas().scene(), {"json", "csv"}, {}, reasons);
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  EXPECT_TRUE(content(picture).contains("medial-axis"));
+  EXPECT_TRUE(content(folder_.filePath("Example.medial-axis.json")).contains("\"mesecina-layer\""));
+  EXPECT_FALSE(content(folder_.filePath("Example.points.csv")).isEmpty());
+  EXPECT_FALSE(QFile::exists(folder_.filePath("Example.delaunay.csv")));
+}
+
+TEST_F(Files, ExamplesOpen) {
+  ASSERT_TRUE(Files_2::examples().contains("giraffe.wkt"));
+  window().files().open_example("giraffe.wkt");
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  ASSERT_NE(document().inputs().get(outline_input), nullptr);
+  EXPECT_TRUE(wait_until_current("medial-axis"));
+  EXPECT_FALSE(document().is_modified());
+}
+
+TEST_F(Files, OpensTheFilesLayersAndSettingsOfTheCommandLine) {
+  const QString path = write("square.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  open_window({{path.toStdString()}, {"outline", "delaunay"}, Settings().with("sampling-step", 0.1)});
+  ASSERT_TRUE(wait_until([&] { return document().inputs().get(outline_input) != nullptr; }));
+  EXPECT_TRUE(wait_until_current("delaunay"));
+  for (const Layer_entry& entry : document().layers())
+    EXPECT_EQ(entry.style.visible, entry.id == "outline" || entry.id == "delaunay") << entry.id;
+  EXPECT_EQ(*document().settings().find("sampling-step"), Setting_value(0.1));
+  EXPECT_EQ(document().inputs().get(points_input), nullptr);
+}
+
+TEST_F(Files, CancelledReadingChangesNothing) {
+  QByteArray many;
+  for (int i = 0; i < 300000; ++i) many += QByteArray::number(i) + " " + QByteArray::number(i * i % 1013) + "\n";
+  const Inputs start = document().inputs();
+  window().files().open({write("many.xy", many)}, false);
+  window().files().jobs().cancel();
+  EXPECT_FALSE(window().files().jobs().is_busy());
+  // The next job runs only after the cancelled one has ended.
+  bool is_done = false;
+  window().files().jobs().run("mark", [&] { return [&] { is_done = true; }; });
+  ASSERT_TRUE(wait_until([&] { return is_done; }));
+  EXPECT_TRUE(document().inputs() == start);
+}
+
+}  // namespace
+}  // namespace mesecina
