@@ -100,14 +100,20 @@ TEST(Registry_2, EveryLayerIsComputedOnAnExampleAndItsValuesFitItsElements) {
       continue;
     }
     ASSERT_TRUE(outcome) << layer.id << ": " << outcome.reason;
-    if (layer.id != "label-conflicts") EXPECT_FALSE(outcome.value->is_empty()) << layer.id;
+    if (layer.id != "label-conflicts") {
+      EXPECT_FALSE(outcome.value->is_empty()) << layer.id;
+    }
     for (const Values& values : outcome.value->values)
       EXPECT_EQ(values.data.size(), outcome.value->element_count()) << layer.id << " " << values.name;
-    if (!outcome.value->ids.empty()) EXPECT_EQ(outcome.value->ids.size(), outcome.value->element_count()) << layer.id;
-    if (const auto cut = registry->cut(layer, {}))
+    if (!outcome.value->ids.empty()) {
+      EXPECT_EQ(outcome.value->ids.size(), outcome.value->element_count()) << layer.id;
+    }
+    if (const auto cut = registry->cut(layer, {})) {
       EXPECT_NE(outcome.value->find_values(cut->value), nullptr) << layer.id;
-    if (layer.describe && outcome.value->element_count() > 0)
+    }
+    if (layer.describe && outcome.value->element_count() > 0) {
       EXPECT_FALSE(graph.describe(layer.id, 0, progress).facts.empty()) << layer.id;
+    }
   }
 }
 
