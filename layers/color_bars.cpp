@@ -164,6 +164,9 @@ Color ink_on(Color ground) {
 std::vector<double> round_ticks(double low, double high) {
   const double width = high - low;
   if (!(width > 0) || !std::isfinite(width)) return {low};
+  // Between numbers that differ in their last digits only, no double is rounder than they are.
+  constexpr double least_part = 1e-9;
+  if (width < least_part * std::max(std::abs(low), std::abs(high))) return {low, high};
   const double power = std::pow(10, std::floor(std::log10(width)));
   for (const double factor : {5.0, 2.5, 2.0, 1.0, 0.5, 0.25, 0.2, 0.1}) {
     const double step = factor * power;

@@ -219,5 +219,10 @@ TEST(Color_bars, ticks_are_three_to_six_round_numbers_within_the_range) {
   }
 }
 
+TEST(Color_bars, ticks_of_a_range_of_one_last_digit_are_its_ends) {
+  const double high = std::nextafter(33.9, 40.0);
+  EXPECT_EQ(round_ticks(33.9, high), (std::vector<double>{33.9, high}));
+}
+
 }  // namespace
 }  // namespace mesecina
