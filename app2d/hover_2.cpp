@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app2d/hover_2.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 #include <chrono>
 #include <utility>
 
 #include "core/formats/number.h"
+#include "layers/panel_paint.h"
 #include "layers/picker_2.h"
 
 namespace mesecina {
@@ -128,6 +130,20 @@ QString Hover_2::facts_text() const {
   for (const Fact& fact : hovered_->facts)
     lines << QStringLiteral("%1: %2").arg(QString::fromStdString(fact.name), QString::fromStdString(fact.text));
   return lines.join(QLatin1Char('\n'));
+}
+
+QString Hover_2::short_facts_text() const {
+  static const QRegularExpression number(QStringLiteral("-?\\d+\\.\\d{3,}(e[+-]?\\d+)?"));
+  constexpr int digits = 6;
+  const QString text = facts_text();
+  QString result;
+  qsizetype end = 0;
+  for (auto matches = number.globalMatch(text); matches.hasNext();) {
+    const QRegularExpressionMatch match = matches.next();
+    result += text.mid(end, match.capturedStart() - end) + short_number(match.captured().toDouble(), digits);
+    end = match.capturedEnd();
+  }
+  return result + text.mid(end);
 }
 
 }  // namespace mesecina

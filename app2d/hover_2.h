@@ -43,6 +43,8 @@ class Hover_2 : public QObject {
   const std::optional<Hovered_2>& hovered() const { return hovered_; }
   /// "name: text" lines; empty when nothing is hovered.
   QString facts_text() const;
+  /// The same with numbers of at most six digits, for reading.
+  QString short_facts_text() const;
 
  Q_SIGNALS:
   void changed();

@@ -305,7 +305,7 @@ void Main_window_2::show_selection() {
 
 void Main_window_2::show_facts() {
   show_overlay();
-  const QString text = hover_->facts_text();
+  const QString text = hover_->short_facts_text();
   if (text.isEmpty()) {
     facts_->hide();
     return;

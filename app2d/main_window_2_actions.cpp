@@ -322,7 +322,8 @@ void Main_window_2::make_menus() {
   for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_}) panels->addAction(dock->toggleViewAction());
   actions_->add_to(view, {"-", "full-screen"});
 
-  QMenu* help = menu(tr("&Help"));
+  // Alt+H shows all layers.
+  QMenu* help = menu(tr("Hel&p"));
   actions_->add_to(help, {"keys", "about"});
 }
 

@@ -43,7 +43,7 @@ int Points_model_2::columnCount(const QModelIndex& parent) const { return parent
 QVariant Points_model_2::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
+  if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole) return {};
   const Point_2& p = (*points_)[static_cast<std::size_t>(index.row())];
   return QString::fromStdString(format_number(index.column() == 0 ? p.x : p.y));
 }
@@ -81,6 +81,8 @@ Points_table_2::Points_table_2(Editor_2& editor, QWidget* parent)
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setAlternatingRowColors(true);
   setWordWrap(false);
+  // Cut off at the end, a number would look as if it had no exponent.
+  setTextElideMode(Qt::ElideMiddle);
   setFrameShape(QFrame::NoFrame);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);

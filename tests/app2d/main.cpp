@@ -8,6 +8,9 @@
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  // The names of the tests are asked for while the tests are set up, where there need be no platform for an
+  // application.
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
   // As the program does; preferences of whoever runs the tests stay as they are.
   QLocale::setDefault(QLocale::c());
   const QTemporaryDir preferences;

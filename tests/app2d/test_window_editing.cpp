@@ -15,6 +15,13 @@ TEST_F(Window_fixture, ActionsAreNamedExplainedAndShareNoKey) {
   EXPECT_GT(window().actions().entries().size(), 50u);
 }
 
+TEST_F(Window_fixture, NoMenuTakesTheKeyOfAnAction) {
+  const Layer_list before = document().layers();
+  press(Qt::Key_H, Qt::AltModifier);
+  EXPECT_NE(document().layers(), before);
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+}
+
 TEST_F(Window_fixture, FaultsOfActionsAreFound) {
   Actions actions(&window());
   actions.add("Edit", {"one", "One", "Tip", {QKeySequence("Ctrl+1")}}, [] {});
