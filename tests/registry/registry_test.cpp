@@ -14,11 +14,12 @@
 namespace mesecina {
 namespace {
 
+/// Without symmetry, so that no four samples are cocircular and the Delaunay triangulation is unique.
 std::vector<Point_2> wavy_curve(std::size_t count) {
   std::vector<Point_2> points;
   for (std::size_t i = 0; i < count; ++i) {
     const double t = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    const double r = 1 + 0.25 * std::cos(4 * t) + 0.1 * std::sin(3 * t);
+    const double r = 1 + 0.25 * std::cos(4 * t + 0.3) + 0.1 * std::sin(3 * t + 1.1) + 0.03 * std::cos(7 * t + 2);
     points.push_back({r * std::cos(t), r * std::sin(t)});
   }
   return points;
