@@ -215,6 +215,9 @@ void Main_window_2::start(const Startup& startup) {
   if (paths.isEmpty()) {
     files_->name_example();
   } else {
+    // There is nothing before the files of the command line that one could go back to.
+    connect(
+        files_, &Files_2::loaded, this, [this] { document_.history().clear(); }, Qt::SingleShotConnection);
     files_->open(paths, false);
   }
 }
@@ -283,7 +286,7 @@ void Main_window_2::show_hover(const Canvas_event& event) {
       QStringLiteral("%1, %2").arg(event.position.x, 0, 'f', decimals).arg(event.position.y, 0, 'f', decimals));
   hint_->setText(tool_->hint(event));
   if (canvas_->cursor().shape() != tool_->cursor(event)) canvas_->setCursor(tool_->cursor(event));
-  if (event.buttons == Qt::NoButton) {
+  if (event.buttons == Qt::NoButton && tool_->preview().empty()) {
     hover_->look_at(event.pixel);
   } else {
     hover_->forget();

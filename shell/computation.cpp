@@ -25,7 +25,7 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
     touch(layer);
   };
   listener.progressed = [this](std::uint64_t, const std::string& stage, double fraction) {
-    if (is_busy_) Q_EMIT progressed(QString::fromStdString(stage), fraction);
+    if (is_busy_) Q_EMIT progressed(stage_text(stage), fraction);
   };
   listener.finished_layer = [this](Worker::Layer_result result) { take(std::move(result)); };
   listener.finished = [this](std::uint64_t ticket, bool) { finish(ticket); };
@@ -40,6 +40,13 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
 }
 
 Computation::~Computation() { worker_.reset(); }
+
+QString Computation::stage_text(const std::string& stage) const {
+  // The graph names layers "layer:ID" and structures by their ids.
+  const std::string id = stage.substr(stage.find(':') + 1);
+  if (const Layer_spec* spec = registry_->find_layer(id)) return QString::fromStdString(spec->label);
+  return QString::fromStdString(id).replace(QLatin1Char('-'), QLatin1Char(' '));
+}
 
 Scene Computation::scene(Color background) const {
   Scene scene;
@@ -165,7 +172,8 @@ void Computation::send(std::vector<std::string> layers) {
   requested_ = layers;
   settings_are_newer_ = false;
   worker_->request({last_ticket_, document_.inputs(), document_.settings(), std::move(layers)});
-  set_busy(true);
+  is_busy_ = true;
+  Q_EMIT busy_changed(true);
 }
 
 void Computation::take(const Worker::Layer_result& result) {

@@ -48,6 +48,7 @@ class Computation : public QObject {
   void scene_changed();
   /// Status or picture of the layer.
   void layer_changed(const QString& layer);
+  /// Also said at every new request while others are under way.
   void busy_changed(bool is_busy);
   /// fraction in [0,1] of the stage.
   void progressed(const QString& stage, double fraction);
@@ -65,6 +66,7 @@ class Computation : public QObject {
   void react(const Document_change& change);
   bool only_cuts_differ(const Settings& before, const Settings& after) const;
   std::vector<std::string> visible_layers() const;
+  QString stage_text(const std::string& stage) const;
   void request_visible();
   void send(std::vector<std::string> layers);
   void take(const Worker::Layer_result& result);

@@ -15,7 +15,6 @@
 #include <cmath>
 
 #include "layers/number_field.h"
-#include "layers/panel_paint.h"
 
 namespace mesecina {
 
@@ -183,9 +182,7 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
   grid->setVerticalSpacing(0);
   auto* label = new QLabel(text_of(spec.label), holder);
   auto* unit = new QLabel(text_of(spec.unit), holder);
-  QPalette faint = unit->palette();
-  faint.setColor(QPalette::WindowText, subdued_text(palette()));
-  unit->setPalette(faint);
+  unit->setForegroundRole(QPalette::PlaceholderText);
   // A long text is cut off rather than making the panel wider; the tip has it in full.
   for (QLabel* text : {label, unit}) text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   QFont small = unit->font();

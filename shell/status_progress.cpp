@@ -39,8 +39,8 @@ Status_progress::Status_progress(QWidget* parent)
 
 void Status_progress::begin(const QString& text) {
   report(text, -1);
-  if (is_running_) return;
   is_running_ = true;
+  if (isVisible()) return;
   delay_.start(delay_before_showing);
 }
 

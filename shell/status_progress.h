@@ -16,6 +16,8 @@ class Status_progress : public QWidget {
  public:
   explicit Status_progress(QWidget* parent = nullptr);
 
+  /// Said again before it is shown, the third of a second starts anew: a stream of short things, such as a drag, is not
+  /// worth showing.
   void begin(const QString& text);
   /// fraction in [0,1]; negative: not known.
   void report(const QString& text, double fraction);

@@ -13,13 +13,16 @@ namespace mesecina {
 namespace {
 
 struct Tones {
-  QRgb window, base, alternate, button, text, faint, mid, dark, light, highlight, highlighted_text, link, tip, tip_text;
+  QRgb window, base, alternate, button, text, faint, disabled, mid, dark, light, highlight, highlighted_text, link, tip,
+      tip_text;
 };
 
-constexpr Tones light_tones{0xfff4f5f7, 0xffffffff, 0xfff1f3f6, 0xfffafbfc, 0xff1d2129, 0xff9aa1ab, 0xffc9ced6,
-                            0xff9fa6b1, 0xffffffff, 0xff2f6fde, 0xffffffff, 0xff1f5fd0, 0xff23272f, 0xfff4f5f7};
-constexpr Tones dark_tones{0xff24272d, 0xff1b1d22, 0xff212429, 0xff30343c, 0xffe4e7ec, 0xff777e8a, 0xff454a54,
-                           0xff15171b, 0xff4a505b, 0xff3f7ee8, 0xffffffff, 0xff7fb0ff, 0xff3a3f48, 0xfff0f2f5};
+constexpr Tones light_tones{0xfff4f5f7, 0xffffffff, 0xfff1f3f6, 0xfffafbfc, 0xff1d2129,
+                            0xff6b7280, 0xff9aa1ab, 0xffc9ced6, 0xff9fa6b1, 0xffffffff,
+                            0xff2f6fde, 0xffffffff, 0xff1f5fd0, 0xff23272f, 0xfff4f5f7};
+constexpr Tones dark_tones{0xff24272d, 0xff1b1d22, 0xff212429, 0xff30343c, 0xffe4e7ec,
+                           0xff98a0ad, 0xff6b727e, 0xff454a54, 0xff15171b, 0xff4a505b,
+                           0xff3f7ee8, 0xffffffff, 0xff7fb0ff, 0xff3a3f48, 0xfff0f2f5};
 
 QPalette palette_of(const Tones& tones) {
   QPalette palette;
@@ -45,9 +48,9 @@ QPalette palette_of(const Tones& tones) {
   set(QPalette::ToolTipBase, tones.tip);
   set(QPalette::ToolTipText, tones.tip_text);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    palette.setColor(QPalette::Disabled, role, QColor::fromRgb(tones.faint));
+    palette.setColor(QPalette::Disabled, role, QColor::fromRgb(tones.disabled));
   palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgb(tones.mid));
-  palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(tones.faint));
+  palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(tones.disabled));
   return palette;
 }
 

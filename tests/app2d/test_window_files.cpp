@@ -130,6 +130,7 @@ TEST_F(Files, OpensTheFilesLayersAndSettingsOfTheCommandLine) {
   const QString path = write("square.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
   open_window({{path.toStdString()}, {"outline", "delaunay"}, Settings().with("sampling-step", 0.1)});
   ASSERT_TRUE(wait_until([&] { return document().inputs().get(outline_input) != nullptr; }));
+  EXPECT_FALSE(window().actions()["undo"]->isEnabled());
   EXPECT_TRUE(wait_until_current("delaunay"));
   for (const Layer_entry& entry : document().layers())
     EXPECT_EQ(entry.style.visible, entry.id == "outline" || entry.id == "delaunay") << entry.id;
