@@ -24,7 +24,8 @@ function(mesecina_library name)
   endif()
 endfunction()
 
-# mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE...]): a GoogleTest program.
+# mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE]): a GoogleTest program, with one
+# variable of its environment set (more do not survive the discovery of tests).
 function(mesecina_test name)
   cmake_parse_arguments(ARG "QT" "LABEL" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
