@@ -79,7 +79,7 @@ Times measure(std::size_t count, int threads, int repetitions) {
                            angle_of_edges(triangulation, axis, progress);
                          }));
     best.scale = std::min(best.scale, seconds([&] {
-                            const Scale_importance importance = scale_importance(axis.centers, axis.radii, progress);
+                            const Scale_importance importance = scale_importance(axis.centers, axis.radii, 1, progress);
                             std::vector<double> values;
                             for (const auto& [a, b] : axis.edges)
                               values.push_back(std::min(importance.values[a], importance.values[b]));

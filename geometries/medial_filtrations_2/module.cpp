@@ -24,10 +24,13 @@ struct Ball_scale_2 {
 };
 constexpr Key<Ball_scale_2> ball_scale_2_key{"ball-scale-2"};
 
+/// No Delaunay disk lies within another.
+constexpr double least_scale = 1;
+
 Ball_scale_2 compute_ball_scale(Context& context) {
   const auto axis = context.get(medial_axis_2_key);
   return {axis->centers, axis->radii, axis->triangles,
-          scale_importance(axis->centers, axis->radii, context.progress())};
+          scale_importance(axis->centers, axis->radii, least_scale, context.progress())};
 }
 
 std::shared_ptr<Ball_scale_2> update_ball_scale(Context& context, const std::shared_ptr<Ball_scale_2>& previous) {
@@ -46,9 +49,10 @@ std::shared_ptr<Ball_scale_2> update_ball_scale(Context& context, const std::sha
     if (old >= 0 && previous->centers[old] == axis->centers[b] && previous->radii[old] == axis->radii[b])
       old_index[b] = old;
   }
-  return std::make_shared<Ball_scale_2>(Ball_scale_2{
-      axis->centers, axis->radii, axis->triangles,
-      update_scale_importance(previous->importance, old_index, axis->centers, axis->radii, context.progress())});
+  return std::make_shared<Ball_scale_2>(
+      Ball_scale_2{axis->centers, axis->radii, axis->triangles,
+                   update_scale_importance(previous->importance, old_index, axis->centers, axis->radii, least_scale,
+                                           context.progress())});
 }
 
 Importance_2 compute_scale(Context& context) {

@@ -52,12 +52,16 @@ struct Node {
   double half_width = 0;
   double peak = -infinity;
   double slope = 0;
+  double largest_radius = -infinity;
 
   static Node around(std::span<const Disk> disks);
 
   /// Square of a lower bound of the quotient of `disk` with any disk of the node; infinity when none is larger.
   /// Rounding is accounted for, so that it can never cut off the minimum.
   double squared_bound(const Disk& disk) const {
+    // As rounded, no growth in the node is more than this; without slack, because radii may differ by rounding alone.
+    const double largest_growth = largest_radius - disk.radius;
+    if (!(largest_growth > 0)) return infinity;
     const double dx = disk.x - x;
     const double dy = disk.y - y;
     const double along = dx * axis_x + dy * axis_y;
@@ -75,7 +79,12 @@ struct Node {
     if (growth > 0) u = std::clamp(slope * q * q / growth, low, high);
     const double growth_there = growth + slope * u;
     if (!(growth_there > 0)) return infinity;
-    return (u * u + q * q) / (growth_there * growth_there) * (1 - 64 * unit_roundoff);
+    // At the nearest point of the rectangle the least distance, with the largest growth of all.
+    const double nearest = std::clamp(0.0, low, high);
+    const double by_slope = (u * u + q * q) / (growth_there * growth_there);
+    const double squared_growth = largest_growth * largest_growth;
+    const double by_largest = squared_growth > 0 ? (nearest * nearest + q * q) / squared_growth : 0;
+    return std::max(by_slope, by_largest) * (1 - 64 * unit_roundoff);
   }
 };
 
@@ -137,7 +146,6 @@ Node Node::around(std::span<const Disk> disks) {
   node.x += middle_t * ax - middle_w * ay;
   node.y += middle_t * ay + middle_w * ax;
   node.slope = tt > 0 ? tr / tt : 0;
-  double largest_radius = 0;
   double reach = 0;
   for (const Disk& disk : disks) {
     const double dx = disk.x - node.x;
@@ -146,12 +154,12 @@ Node Node::around(std::span<const Disk> disks) {
     node.half_length = std::max(node.half_length, std::abs(t));
     node.half_width = std::max(node.half_width, std::abs(dy * ax - dx * ay));
     node.peak = std::max(node.peak, disk.radius - node.slope * t);
-    largest_radius = std::max(largest_radius, disk.radius);
+    node.largest_radius = std::max(node.largest_radius, disk.radius);
     reach = std::max(reach, std::abs(dx) + std::abs(dy));
   }
   node.half_length += 8 * unit_roundoff * reach;
   node.half_width += 8 * unit_roundoff * reach;
-  node.peak += 8 * unit_roundoff * (largest_radius + std::abs(node.slope) * reach);
+  node.peak += 8 * unit_roundoff * (node.largest_radius + std::abs(node.slope) * reach);
   return node;
 }
 
@@ -223,9 +231,10 @@ class Scale_importance::Hierarchy {
   /// Per position in the order, the entry (index at construction) there.
   const std::vector<int>& order() const { return order_; }
 
-  /// The importance of `disk` among the entries that are still there. `candidate`, when not -1, is the position of a
-  /// likely witness; it is set to the one found, and left alone if there is none.
-  double importance(const Disk& disk, std::span<const int> disk_of_entry, int& candidate) const {
+  /// The importance of `disk` among the entries that are still there, or anything not above `least` if it is not.
+  /// `candidate`, when not -1, is the position of a likely witness; it is set to the one found, and left alone if there
+  /// is none.
+  double importance(const Disk& disk, std::span<const int> disk_of_entry, double least, int& candidate) const {
     const auto is_there = [&](std::size_t position) { return disk_of_entry[order_[position]] >= 0; };
     double best = candidate >= 0 && is_there(candidate) ? quotient(disk, disks_[candidate]) : infinity;
     double squared_best = best * best;
@@ -239,7 +248,7 @@ class Scale_importance::Hierarchy {
     std::size_t depth = 0;
     stack[depth++] = {levels_.back()[0].squared_bound(disk), static_cast<std::uint32_t>(levels_.size() - 1), 0};
     while (depth > 0) {
-      if (best == 0) break;
+      if (best <= least) break;
       const Visit visit = stack[--depth];
       if (!(visit.squared_bound <= squared_best) || visit.squared_bound == infinity) continue;
       if (visit.level == 0) {
@@ -293,7 +302,8 @@ bool is_less(const Disk& disk, const Disk& larger, double value) {
 
 }  // namespace
 
-Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, Progress& progress) {
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, double least,
+                                  Progress& progress) {
   Scale_importance result;
   result.values.assign(centers.size(), infinity);
   result.witnesses.assign(centers.size(), -1);
@@ -309,7 +319,8 @@ Scale_importance scale_importance(std::span<const Point_2> centers, std::span<co
     const std::size_t end = std::min(order.size(), (b + 1) * block);
     for (std::size_t position = b * block; position < end; ++position) {
       const int i = order[position];
-      result.values[i] = hierarchy->importance({centers[i].x, centers[i].y, radii[i]}, result.disk_of_entry, candidate);
+      const Disk disk{centers[i].x, centers[i].y, radii[i]};
+      result.values[i] = std::max(least, hierarchy->importance(disk, result.disk_of_entry, least, candidate));
       if (result.values[i] < infinity) result.witnesses[i] = order[candidate];
     }
   });
@@ -318,7 +329,7 @@ Scale_importance scale_importance(std::span<const Point_2> centers, std::span<co
 }
 
 Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
-                                         std::span<const Point_2> centers, std::span<const double> radii,
+                                         std::span<const Point_2> centers, std::span<const double> radii, double least,
                                          Progress& progress) {
   const std::size_t count = centers.size();
   std::vector<int> new_index(old.values.size(), -1);
@@ -342,7 +353,8 @@ Scale_importance update_scale_importance(const Scale_importance& old, std::span<
   std::vector<int> outside;
   for (std::size_t i = 0; i < count; ++i)
     if (!is_inside[i]) outside.push_back(static_cast<int>(i));
-  if (!old.hierarchy || outside.size() > most_outside_hierarchy) return scale_importance(centers, radii, progress);
+  if (!old.hierarchy || outside.size() > most_outside_hierarchy)
+    return scale_importance(centers, radii, least, progress);
 
   result.values.assign(count, infinity);
   result.witnesses.assign(count, -1);
@@ -355,7 +367,7 @@ Scale_importance update_scale_importance(const Scale_importance& old, std::span<
     const bool is_lost = before < 0 || (witness >= 0 && new_index[witness] < 0);
     if (is_lost) {
       int candidate = -1;
-      result.values[i] = result.hierarchy->importance(self, result.disk_of_entry, candidate);
+      result.values[i] = std::max(least, result.hierarchy->importance(self, result.disk_of_entry, least, candidate));
       if (result.values[i] < infinity) result.witnesses[i] = result.disk_of_entry[order[candidate]];
     } else {
       result.values[i] = old.values[before];
@@ -363,7 +375,7 @@ Scale_importance update_scale_importance(const Scale_importance& old, std::span<
     }
     for (const int other : is_lost ? outside : added) {
       if (!is_less(self, disk(other), result.values[i])) continue;
-      result.values[i] = quotient(self, disk(other));
+      result.values[i] = std::max(least, quotient(self, disk(other)));
       result.witnesses[i] = other;
     }
   });

@@ -22,7 +22,7 @@ struct Disks {
 
 Scale_importance compute(const Disks& disks, int threads = 1) {
   Progress progress({}, {}, threads);
-  return scale_importance(disks.centers, disks.radii, progress);
+  return scale_importance(disks.centers, disks.radii, 0, progress);
 }
 
 std::vector<double> importance(const Disks& disks) { return compute(disks).values; }
@@ -218,7 +218,7 @@ void expect_update_equals_full_computation(Disks disks, std::uint64_t seed) {
   for (int step = 0; step < 12; ++step) {
     const double lost = step % 4 == 3 ? 0.5 : 0.01 * random.index(4);
     Exchange next = exchange(disks, lost, random.index(4), random.chance(0.5), random.next());
-    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, progress);
+    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, 0, progress);
     disks = std::move(next.disks);
     ASSERT_EQ(current.values, compute(disks).values) << "step " << step;
     expect_witnesses(disks, current);
@@ -255,9 +255,10 @@ TEST(Update_scale_importance, when_the_largest_goes_or_comes) {
     if (i != largest) fewer.push_back(i);
     more.push_back(i < largest ? i : i == largest ? -1 : i - 1);
   }
-  const Scale_importance after = update_scale_importance(compute(all), fewer, without.centers, without.radii, progress);
+  const Scale_importance after =
+      update_scale_importance(compute(all), fewer, without.centers, without.radii, 0, progress);
   EXPECT_EQ(after.values, compute(without).values);
-  EXPECT_EQ(update_scale_importance(after, more, all.centers, all.radii, progress).values, compute(all).values);
+  EXPECT_EQ(update_scale_importance(after, more, all.centers, all.radii, 0, progress).values, compute(all).values);
 }
 
 /// Of this process: what others do on the machine does not count.
@@ -283,12 +284,61 @@ TEST(Scale_importance, grows_nearly_linearly) {
   EXPECT_LT(best, 12);
 }
 
+Disks equal_up_to_rounding(int count) {
+  // The ends of thin rectangles: 0.1 i is rounded, and so are the radii.
+  Disks disks;
+  for (int i = 0; i < count; ++i) {
+    disks.centers.push_back({0.1 * i, 7});
+    disks.radii.push_back(std::hypot(0.1 * (i + 1) - 0.1 * i, 1));
+  }
+  return disks;
+}
+
+TEST(Scale_importance, of_radii_that_differ_by_rounding) {
+  expect_by_definition(equal_up_to_rounding(1000));
+  const Disks large = equal_up_to_rounding(50000);
+  ASSERT_NE(*std::ranges::min_element(large.radii), *std::ranges::max_element(large.radii));
+  // Every disk against every other would take half a minute.
+  EXPECT_LT(seconds_for(large), 2);
+}
+
+TEST(Scale_importance, is_raised_to_the_least_value) {
+  Progress progress;
+  Disks disks = random_disks(300, 21);
+  const std::vector<double> all = importance(disks);
+  const auto raised = [](std::vector<double> values) {
+    for (double& value : values) value = std::max(value, 2.0);
+    return values;
+  };
+  Scale_importance current = scale_importance(disks.centers, disks.radii, 2, progress);
+  EXPECT_NE(current.values, all);
+  EXPECT_EQ(current.values, raised(all));
+  Random random(22);
+  for (int step = 0; step < 10; ++step) {
+    Exchange next = exchange(disks, 0.01, 3, true, random.next());
+    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, 2, progress);
+    disks = std::move(next.disks);
+    ASSERT_EQ(current.values, raised(importance(disks))) << "step " << step;
+  }
+}
+
+TEST(Scale_importance, of_samples_on_one_circle) {
+  Progress progress;
+  // All disks are the same but for rounding.
+  const Disks disks = medial_balls(ellipse(1, 1, 100000));
+  ASSERT_GT(disks.radii.size(), 90000U);
+  const std::clock_t start = std::clock();
+  const Scale_importance result = scale_importance(disks.centers, disks.radii, 1, progress);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);
+  EXPECT_GE(*std::ranges::min_element(result.values), 1);
+}
+
 TEST(Scale_importance, can_be_cancelled) {
   std::stop_source source;
   source.request_stop();
   Progress progress(source.get_token());
   const Disks disks = random_disks(10000, 8);
-  EXPECT_THROW(scale_importance(disks.centers, disks.radii, progress), Cancelled);
+  EXPECT_THROW(scale_importance(disks.centers, disks.radii, 0, progress), Cancelled);
 }
 
 }  // namespace
