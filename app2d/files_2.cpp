@@ -36,15 +36,20 @@ QString name_of(const QStringList& paths) {
 
 }  // namespace
 
+struct Files_2::Order {
+  QStringList paths;
+  QString step;  ///< for undo
+  bool is_added = false;
+  bool is_example = false;
+  bool is_first = false;
+};
+
 struct Files_2::Loaded {
+  Order order;
   Inputs inputs;
   QStringList good;
   QStringList errors;
   QStringList warnings;
-  QString step;
-  QString title;
-  bool is_added = false;
-  bool is_example = false;
 };
 
 Files_2::Files_2(Document& document, std::shared_ptr<const Formats> formats, QWidget* window)
@@ -65,7 +70,12 @@ void Files_2::set_current(const QString& file, const QString& title) {
 void Files_2::open(const QStringList& paths, bool is_added) {
   if (paths.isEmpty()) return;
   remember_folder(paths.front());
-  read(paths, is_added ? tr("Add %1").arg(name_of(paths)) : tr("Open %1").arg(name_of(paths)), {}, is_added, false);
+  read({paths, is_added ? tr("Add %1").arg(name_of(paths)) : tr("Open %1").arg(name_of(paths)), is_added});
+}
+
+void Files_2::open_first(const QStringList& paths) {
+  remember_folder(paths.front());
+  read({paths, tr("Open %1").arg(name_of(paths)), false, false, true});
 }
 
 QStringList Files_2::examples() {
@@ -74,7 +84,7 @@ QStringList Files_2::examples() {
 }
 
 void Files_2::open_example(const QString& name) {
-  read({QStringLiteral(":/examples/") + name}, tr("Open the example %1").arg(name), name, false, true);
+  read({{QStringLiteral(":/examples/") + name}, tr("Open the example %1").arg(name), false, true});
 }
 
 void Files_2::new_document() {
@@ -83,53 +93,50 @@ void Files_2::new_document() {
   set_current({}, {});
 }
 
-void Files_2::read(const QStringList& paths, const QString& step, const QString& title, bool is_added,
-                   bool is_example) {
-  jobs_.run(tr("Reading %1").arg(name_of(paths)),
-            [this, formats = formats_, paths, step, title, is_added, is_example]() -> std::function<void()> {
-              Loaded loaded;
-              loaded.step = step;
-              loaded.title = title;
-              loaded.is_added = is_added;
-              loaded.is_example = is_example;
-              const QTemporaryDir folder;
-              for (const QString& path : paths) {
-                QString file = path;
-                if (is_example) {
-                  file = folder.filePath(QFileInfo(path).fileName());
-                  QFile::copy(path, file);
-                }
-                try {
-                  const File_contents contents = read_file(*formats, file.toStdString());
-                  loaded.inputs = appended(loaded.inputs, contents.inputs);
-                  loaded.good << path;
-                  for (const std::string& warning : contents.warnings)
-                    loaded.warnings << tr("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(warning));
-                } catch (const std::exception& error) {
-                  loaded.errors << message_of(error);
-                }
-              }
-              return [this, loaded = std::move(loaded)] { take(loaded); };
-            });
+void Files_2::read(const Order& order) {
+  jobs_.run(tr("Reading %1").arg(name_of(order.paths)), [this, formats = formats_, order]() -> std::function<void()> {
+    Loaded loaded;
+    loaded.order = order;
+    const QTemporaryDir folder;
+    for (const QString& path : order.paths) {
+      QString file = path;
+      if (order.is_example) {
+        file = folder.filePath(QFileInfo(path).fileName());
+        QFile::copy(path, file);
+      }
+      try {
+        const File_contents contents = read_file(*formats, file.toStdString());
+        loaded.inputs = appended(loaded.inputs, contents.inputs);
+        loaded.good << path;
+        for (const std::string& warning : contents.warnings)
+          loaded.warnings << tr("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(warning));
+      } catch (const std::exception& error) {
+        loaded.errors << message_of(error);
+      }
+    }
+    return [this, loaded = std::move(loaded)] { take(loaded); };
+  });
 }
 
 void Files_2::take(const Loaded& result) {
   for (const QString& error : result.errors) Q_EMIT told(Message_bar::Kind::error, error);
   for (const QString& warning : result.warnings) Q_EMIT told(Message_bar::Kind::warning, warning);
   if (result.good.isEmpty()) return;
-  document_.edit_inputs(result.is_added ? appended(document_.inputs(), result.inputs) : result.inputs, result.step);
-  if (!result.is_added) {
+  const Order& order = result.order;
+  const bool is_start = order.is_first && document_.history().count() == 0;
+  document_.edit_inputs(order.is_added ? appended(document_.inputs(), result.inputs) : result.inputs, order.step);
+  if (is_start) document_.history().clear();
+  if (!order.is_added) {
     document_.mark_all_saved();
-    const bool is_one_file = result.good.size() == 1 && !result.is_example;
-    const QString title = result.is_example ? result.title : name_of(result.good);
-    set_current(is_one_file ? QFileInfo(result.good.front()).absoluteFilePath() : QString(), title);
+    const bool is_one_file = result.good.size() == 1 && !order.is_example;
+    set_current(is_one_file ? QFileInfo(result.good.front()).absoluteFilePath() : QString(), name_of(result.good));
   }
   if (result.inputs.get(disks_input))
     Q_EMIT told(Message_bar::Kind::warning,
                 tr("The disks are kept and can be saved, but no layer of this version shows disks."));
-  if (!result.is_example)
+  if (!order.is_example)
     for (const QString& path : result.good) Q_EMIT opened(path);
-  Q_EMIT loaded(result.is_added);
+  Q_EMIT loaded(order.is_added);
 }
 
 std::vector<std::string> Files_2::parts() const {

@@ -30,6 +30,9 @@ class Files_2 : public QObject {
   /// Replaces the inputs by what the files hold, or adds it to them: one step that can be undone. A bad file changes
   /// nothing and is told in one line.
   void open(const QStringList& paths, bool is_added);
+  /// As open(), for the files that a window starts with: there is nothing before them that one could go back to, unless
+  /// the user has begun to edit meanwhile.
+  void open_first(const QStringList& paths);
   static QStringList examples();
   void open_example(const QString& name);
   void new_document();
@@ -73,7 +76,8 @@ class Files_2 : public QObject {
 
  private:
   struct Loaded;
-  void read(const QStringList& paths, const QString& step, const QString& title, bool is_added, bool is_example);
+  struct Order;
+  void read(const Order& order);
   void take(const Loaded& result);
   const Input_writer* writer_for(const QString& path, const std::string& input_id) const;
   QString filters_for(const std::vector<std::string>& input_ids) const;

@@ -50,6 +50,13 @@ Layer_list first_look(const Registry& registry, const std::vector<std::string>& 
   return layers;
 }
 
+/// Empty when none is visible.
+QString topmost_visible(const Layer_list& layers) {
+  for (auto entry = layers.rbegin(); entry != layers.rend(); ++entry)
+    if (entry->style.visible) return QString::fromStdString(entry->id);
+  return {};
+}
+
 Document_state first_state(const Registry& registry, const Startup& startup) {
   constexpr std::size_t samples = 120;
   constexpr double size = 100;
@@ -109,6 +116,7 @@ void Main_window_2::build_center() {
   canvas_->set_hint(tr("Drop a file here, or double-click to add points"));
   editor_ = new Editor_2(document_, *canvas_, *formats_, this);
   hover_ = std::make_unique<Hover_2>(computation_, *canvas_);
+  notes_ = new Layer_notes(canvas_);
   facts_ = new QLabel(canvas_);
   facts_->setObjectName(QStringLiteral("facts"));
   facts_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -181,6 +189,10 @@ void Main_window_2::connect_parts() {
   connect(editor_, &Editor_2::failed, this,
           [this](const QString& message) { messages_->add(Message_bar::Kind::error, message); });
   connect(editor_, &Editor_2::menu_requested, this, &Main_window_2::open_menu);
+  connect(notes_, &Layer_notes::chosen, this, [this](const QString& layer) {
+    layers_dock_->show();
+    layer_panel_->select({layer});
+  });
   connect(hover_.get(), &Hover_2::changed, this, &Main_window_2::show_facts);
   connect(canvas_, &Canvas_2::view_changed, this, [this] { hover_->forget(); });
   connect(canvas_, &Canvas_2::backend_failed, this, [this](const QString& reason) {
@@ -205,7 +217,7 @@ void Main_window_2::start(const Startup& startup) {
   layer_panel_->set_layers(document_.layers());
   layer_panel_->set_settings(document_.settings());
   settings_panel_->set_settings(document_.settings());
-  layer_panel_->select({QStringLiteral("medial-axis")});
+  layer_panel_->select({startup.layers.empty() ? QStringLiteral("medial-axis") : topmost_visible(document_.layers())});
   canvas_->fit(bounding_box(document_.inputs()));
   show_title();
   show_scene();
@@ -215,10 +227,7 @@ void Main_window_2::start(const Startup& startup) {
   if (paths.isEmpty()) {
     files_->name_example();
   } else {
-    // There is nothing before the files of the command line that one could go back to.
-    connect(
-        files_, &Files_2::loaded, this, [this] { document_.history().clear(); }, Qt::SingleShotConnection);
-    files_->open(paths, false);
+    files_->open_first(paths);
   }
 }
 
@@ -240,7 +249,25 @@ void Main_window_2::show_scene() {
     for (Scene_layer& layer : scene.layers) layer.primitives = nullptr;
   }
   canvas_->set_scene(std::move(scene));
-  canvas_->set_hint(is_empty ? tr("Drop a file here, or double-click to add points") : QString());
+  const bool has_only_disks = document_.inputs().ids() == std::vector<std::string>{std::string(disks_input.id)};
+  canvas_->set_hint(is_empty         ? tr("Drop a file here, or double-click to add points")
+                    : has_only_disks ? tr("There are only disks, which no layer of this version shows. "
+                                          "Double-click to add points")
+                                     : QString());
+  show_notes();
+}
+
+void Main_window_2::show_notes() {
+  std::vector<Layer_notes::Note> notes;
+  const Layer_list& layers = document_.layers();
+  for (auto entry = layers.rbegin(); entry != layers.rend() && !document_.inputs().is_empty(); ++entry) {
+    const Layer_spec* spec = registry_->find_layer(entry->id);
+    if (!entry->style.visible || !spec) continue;
+    const QString reason = computation_.status(entry->id).reason;
+    if (is_worth_a_note(reason))
+      notes.push_back({QString::fromStdString(entry->id), QString::fromStdString(spec->label), reason});
+  }
+  notes_->set_notes(std::move(notes), background());
 }
 
 void Main_window_2::show_overlay() {

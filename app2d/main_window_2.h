@@ -18,6 +18,7 @@
 #include "shell/actions.h"
 #include "shell/computation.h"
 #include "shell/document.h"
+#include "shell/layer_notes.h"
 #include "shell/message_bar.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
@@ -53,6 +54,8 @@ class Main_window_2 : public QMainWindow {
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
   Points_table_2& points_table() { return *points_table_; }
+  Layer_panel& layer_panel() { return *layer_panel_; }
+  Layer_notes& layer_notes() { return *notes_; }
 
   void use_tool(const QString& id);
   /// Of the widget that is open over the canvas; null for none.
@@ -81,6 +84,7 @@ class Main_window_2 : public QMainWindow {
   void start(const Startup& startup);
 
   void show_scene();
+  void show_notes();
   void show_overlay();
   void show_layer(const std::string& layer);
   void show_document(const Document_change& change);
@@ -125,6 +129,7 @@ class Main_window_2 : public QMainWindow {
   QLabel* selected_ = nullptr;
   QLabel* coordinates_ = nullptr;
   QLabel* facts_ = nullptr;
+  Layer_notes* notes_ = nullptr;
   QAction* spacing_action_ = nullptr;
   Popover* popover_ = nullptr;
   std::map<QString, Tool_2*> tools_;

@@ -70,6 +70,12 @@ bool Layer_tree::passes_filter(const QModelIndex& layer) const {
                      [&](const QString& word) { return searched.contains(word, Qt::CaseInsensitive); });
 }
 
+void Layer_tree::showEvent(QShowEvent* event) {
+  QTreeView::showEvent(event);
+  // Only now is the height known that it must be scrolled in.
+  if (currentIndex().isValid()) scrollTo(currentIndex());
+}
+
 void Layer_tree::apply_filter() {
   is_applying_filter_ = true;
   const auto hide = [this](const QModelIndex& index, bool is_hidden) {

@@ -136,6 +136,33 @@ TEST_F(Files, OpensTheFilesLayersAndSettingsOfTheCommandLine) {
     EXPECT_EQ(entry.style.visible, entry.id == "outline" || entry.id == "delaunay") << entry.id;
   EXPECT_EQ(*document().settings().find("sampling-step"), Setting_value(0.1));
   EXPECT_EQ(document().inputs().get(points_input), nullptr);
+  EXPECT_EQ(window().layer_panel().selected(), QStringList("delaunay"));
+}
+
+TEST_F(Files, OnlyTheFirstFilesCannotBeUndone) {
+  const QString path = write("two.xy", "0 0\n1 1\n");
+  open_window({{path.toStdString()}, {}, {}});
+  ASSERT_TRUE(wait_until([&] { return points().size() == 2; }));
+  EXPECT_EQ(document().history().count(), 0);
+  EXPECT_FALSE(document().is_modified());
+  drop({write("one.xy", "0 0\n")});
+  trigger("undo");
+  EXPECT_EQ(points().size(), 2u);
+
+  open_window({{folder_.filePath("missing.xy").toStdString()}, {}, {}});
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  window().editor().add_point({7, 7});
+  drop({path});
+  trigger("undo");
+  EXPECT_EQ(points(), (std::vector<Point_2>{{7, 7}}));
+}
+
+TEST_F(Files, DisksAloneLeaveNoEmptyCanvasWithoutAWord) {
+  drop({write("disks.csv", "x,y,r\n1,2,3\n4,5,6\n")});
+  ASSERT_NE(document().inputs().get(disks_input), nullptr);
+  ASSERT_EQ(window().messages().lines().size(), 1);
+  EXPECT_TRUE(window().messages().lines().front().contains("no layer"));
+  EXPECT_TRUE(window().layer_notes().lines().isEmpty());
 }
 
 TEST_F(Files, CancelledReadingChangesNothing) {

@@ -86,6 +86,29 @@ TEST_F(Live, AFailedLayerSaysWhy) {
   EXPECT_FALSE(window().messages().isVisible());
 }
 
+TEST_F(Live, TheCanvasTellsOfFailedLayersThatAreVisible) {
+  Layer_notes& notes = window().layer_notes();
+  ASSERT_TRUE(wait_until_current("medial-axis"));
+  // The outline is visible and absent, which is nothing to tell.
+  ASSERT_FALSE(window().computation().status("outline").reason.isEmpty());
+  EXPECT_FALSE(notes.isVisible());
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{0, 0}, {1, 0}}), "Two");
+  ASSERT_TRUE(wait_until([&] { return notes.isVisible(); }));
+  ASSERT_EQ(notes.lines().size(), 1);
+  EXPECT_TRUE(notes.lines().front().startsWith("Medial axis: needs")) << notes.lines().front().toStdString();
+  EXPECT_LE(notes.geometry().bottom(), canvas().height());
+
+  window().layer_panel().select({"points"});
+  QTest::mouseClick(&notes, Qt::LeftButton, {}, notes.rect().center());
+  EXPECT_EQ(window().layer_panel().selected(), QStringList("medial-axis"));
+
+  trigger("show-all-layers");
+  ASSERT_TRUE(wait_until([&] { return notes.lines().size() == 3; }));
+  EXPECT_TRUE(notes.lines().back().startsWith("and "));
+  trigger("new");
+  EXPECT_FALSE(notes.isVisible());
+}
+
 TEST_F(Live, CancelKeepsTheOldPictures) {
   // Painting very many points would take longer than what is to be cancelled.
   Layer_list layers = document().layers();
