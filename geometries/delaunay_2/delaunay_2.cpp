@@ -2,13 +2,14 @@
 #include "geometries/delaunay_2/delaunay_2.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 
+#include "core/outcome.h"
 #include "geometries/delaunay_2/dynamic.h"
 #include "geometries/parallel.h"
 
@@ -23,32 +24,91 @@ namespace {
 
 using Dynamic = Delaunay_2::Dynamic;
 using Indexed_point = std::pair<Dynamic::Kernel::Point_2, int>;
-using Sort_traits =
-    CGAL::Spatial_sort_traits_adapter_2<Dynamic::Kernel, CGAL::First_of_pair_property_map<Indexed_point>>;
 
 constexpr std::size_t points_between_reports = 4096;
+/// Indices of triangles and of the elements of layers are ints; there are about two triangles, three edges per point.
+constexpr std::size_t most_points = 300'000'000;
 
-}  // namespace
+/// Traits for CGAL::spatial_sort whose comparisons throw Cancelled when a stop was asked for: the sort has no other
+/// place to ask.
+class Cancellable_sort_traits {
+ public:
+  using Point_2 = Indexed_point;
+  struct Less_x_2 {
+    const Progress* progress;
+    bool operator()(const Point_2& p, const Point_2& q) const {
+      progress->check();
+      return p.first.x() < q.first.x();
+    }
+  };
+  struct Less_y_2 {
+    const Progress* progress;
+    bool operator()(const Point_2& p, const Point_2& q) const {
+      progress->check();
+      return p.first.y() < q.first.y();
+    }
+  };
+  explicit Cancellable_sort_traits(const Progress& progress) : progress_(&progress) {}
+  Less_x_2 less_x_2_object() const { return {progress_}; }
+  Less_y_2 less_y_2_object() const { return {progress_}; }
 
-void rebuild_arrays(Delaunay_2& delaunay) {
-  auto& triangulation = delaunay.dynamic->triangulation;
-  delaunay.dimension = triangulation.dimension();
-  delaunay.site_count = triangulation.number_of_vertices();
-  delaunay.triangles.clear();
-  delaunay.neighbors.clear();
-  delaunay.line.clear();
-  if (delaunay.dimension < 2) {
-    for (const auto& vertex : triangulation.finite_vertex_handles()) delaunay.line.push_back(vertex->info().value);
-    std::ranges::sort(delaunay.line, [&](int a, int b) {
-      const Point_2& p = delaunay.points[a];
-      const Point_2& q = delaunay.points[b];
-      return p.x != q.x ? p.x < q.x : p.y < q.y;
-    });
-    return;
+ private:
+  const Progress* progress_;
+};
+
+/// The points in space-filling order, but for three that are not on one line at the front: CGAL looks through all
+/// points at each insertion as long as they are on a line. None when all of them are.
+std::vector<Indexed_point> insertion_order(std::span<const Point_2> points, const Progress& progress) {
+  std::vector<Indexed_point> order;
+  const auto add = [&](std::size_t i) {
+    order.emplace_back(Dynamic::Kernel::Point_2(points[i].x, points[i].y), static_cast<int>(i));
+  };
+  if (points.empty()) return order;
+  const auto at = [&](std::size_t i) { return Dynamic::Kernel::Point_2(points[i].x, points[i].y); };
+  std::size_t second = 1;
+  while (second < points.size() && points[second] == points[0]) ++second;
+  std::size_t third = second + 1;
+  while (third < points.size() && CGAL::orientation(at(0), at(second), at(third)) == CGAL::COLLINEAR) {
+    progress.check();
+    ++third;
   }
+  if (third >= points.size()) return order;
+
+  order.reserve(points.size());
+  for (const std::size_t i : {std::size_t{0}, second, third}) add(i);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (i != second && i != third) add(i);
+  CGAL::spatial_sort(order.begin() + 3, order.end(), Cancellable_sort_traits(progress));
+  return order;
+}
+
+/// The arrays for points on one line.
+void connect_along_line(Delaunay_2& delaunay, const Progress& progress) {
+  const auto& points = delaunay.points;
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, [&](int a, int b) {
+    progress.check();
+    const Point_2& p = points[a];
+    const Point_2& q = points[b];
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : a < b;
+  });
+  delaunay.site.resize(points.size());
+  for (const int i : order) {
+    if (delaunay.line.empty() || points[delaunay.line.back()] != points[i]) delaunay.line.push_back(i);
+    delaunay.site[i] = delaunay.line.back();
+  }
+  delaunay.site_count = delaunay.line.size();
+  delaunay.dimension = std::min(1, static_cast<int>(delaunay.line.size()) - 1);
+}
+
+/// Fills triangles and neighbors from `dynamic`, which must be of dimension 2.
+void fill_arrays(Delaunay_2& delaunay, const Progress& progress) {
+  auto& triangulation = delaunay.dynamic->triangulation;
   int count = 0;
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
     face->info().value = triangulation.is_infinite(face) ? -1 : count++;
+  progress.check();
   delaunay.triangles.resize(count);
   delaunay.neighbors.resize(count);
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
@@ -60,19 +120,23 @@ void rebuild_arrays(Delaunay_2& delaunay) {
   }
 }
 
+}  // namespace
+
 Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress) {
+  if (points.size() > most_points)
+    throw Unavailable(std::to_string(points.size()) + " points are more than the " + std::to_string(most_points) +
+                      " that can be triangulated");
   Delaunay_2 result;
   result.points.assign(points.begin(), points.end());
+  std::vector<Indexed_point> order = insertion_order(points, progress);
+  if (order.empty()) {
+    connect_along_line(result, progress);
+    return result;
+  }
   result.dynamic = std::make_unique<Dynamic>();
   auto& triangulation = result.dynamic->triangulation;
   auto& vertex_of_point = result.dynamic->vertex_of_point;
   vertex_of_point.resize(points.size());
-
-  std::vector<Indexed_point> order;
-  order.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    order.emplace_back(Dynamic::Kernel::Point_2(points[i].x, points[i].y), static_cast<int>(i));
-  CGAL::spatial_sort(order.begin(), order.end(), Sort_traits());
 
   Dynamic::Face_handle hint;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -87,8 +151,10 @@ Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress) {
   order = {};
   result.site.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) result.site[i] = vertex_of_point[i]->info().value;
+  result.dimension = triangulation.dimension();
+  result.site_count = triangulation.number_of_vertices();
   progress.check();
-  rebuild_arrays(result);
+  fill_arrays(result, progress);
   return result;
 }
 

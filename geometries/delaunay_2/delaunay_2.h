@@ -43,12 +43,12 @@ struct Delaunay_2 {
     return n[0] == triangle ? 0 : n[1] == triangle ? 1 : 2;
   }
 
-  struct Dynamic;  ///< CGAL's triangulation, kept for local updates
+  struct Dynamic;  ///< CGAL's triangulation, kept for local updates; null unless the dimension is 2
   std::unique_ptr<Dynamic> dynamic;
 };
 
 /// Triangulates by exact predicates; the result depends only on the points. Coordinates must be finite.
-/// Expected O(n log n), about 250 bytes per point. Throws Cancelled.
+/// Expected O(n log n), about 250 bytes per point. Throws Cancelled, and Unavailable for more than 300 million points.
 Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress);
 
 /// Changes `triangulation` into one of `points`, by moving, inserting and removing single sites where that is

@@ -31,7 +31,4 @@ struct Delaunay_2::Dynamic {
   std::vector<Vertex_handle> vertex_of_point;  ///< per point the vertex of its site
 };
 
-/// Fills triangles, neighbors, line and dimension from `dynamic`. O(n).
-void rebuild_arrays(Delaunay_2& delaunay);
-
 }  // namespace mesecina

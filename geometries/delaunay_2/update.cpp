@@ -13,9 +13,12 @@ using Vertex_handle = Dynamic::Vertex_handle;
 using Face_handle = Dynamic::Face_handle;
 
 constexpr std::size_t most_local_changes = 256;
+/// From here on CGAL may take longer to fill the hole that a site leaves than to triangulate all points.
+constexpr std::size_t large_star = 1000;
 
 /// Single changes of a triangulation of dimension 2 that keep the arrays in step with CGAL's triangulation.
-/// An operation returns false when the dimension falls below 2; the arrays are then out of date.
+/// An operation returns false when the dimension falls below 2, or when it is cheaper to start afresh; the arrays are
+/// then out of date.
 class Local_editor {
  public:
   explicit Local_editor(Delaunay_2& delaunay) : delaunay_(delaunay), triangulation_(delaunay.dynamic->triangulation) {}
@@ -94,6 +97,7 @@ bool Local_editor::remove_point(int point) {
       if (!triangulation_.is_infinite(next)) link.push_back(next);
     } while (++face != done);
   }
+  if (link.size() > large_star && 4 * link.size() > triangulation_.number_of_vertices()) return false;
   triangulation_.remove(vertex);
   --delaunay_.site_count;
   if (triangulation_.dimension() < 2) return false;
@@ -244,11 +248,16 @@ bool update(Delaunay_2& triangulation, std::span<const Point_2> points, Progress
     return start_afresh();
 
   Local_editor editor(triangulation);
-  for (const int point : removed)
+  for (const int point : removed) {
+    progress.check();
     if (!editor.remove_point(point)) return start_afresh();
+  }
   if (old.size() != points.size()) renumber(triangulation, first, removed.size(), inserted.size());
   for (const int point : inserted) triangulation.site[point] = -1;
-  for (const int point : inserted) editor.insert_point(point, points[point]);
+  for (const int point : inserted) {
+    progress.check();
+    editor.insert_point(point, points[point]);
+  }
   editor.finish();
   return true;
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <stop_token>
 
 #include "geometries/delaunay_2/delaunay_2.h"
@@ -98,6 +99,21 @@ TEST(Delaunay_2, same_points_give_the_same_bytes) {
   }
   const std::vector<Point_2> many = with_duplicates(uniform_points(30000, 42), 500, 43);
   EXPECT_TRUE(is_identical(triangulate(many, 1), triangulate(many, 2)));
+}
+
+TEST(Delaunay_2, many_points_on_one_line_take_little_time) {
+  std::vector<Point_2> points = collinear_points(200000, 45);
+  const std::clock_t start = std::clock();
+  const Delaunay_2 line = triangulate(points);
+  EXPECT_EQ(line.dimension, 1);
+  EXPECT_EQ(line.line.size(), points.size());
+  // One point that is not on it, the last in every order.
+  points.push_back({1e9, -1e9});
+  const Delaunay_2 fan = triangulate(points);
+  EXPECT_EQ(fan.dimension, 2);
+  EXPECT_EQ(fan.triangles.size(), points.size() - 2);
+  // Quadratic growth would take a minute.
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 5);
 }
 
 TEST(Delaunay_2, can_be_cancelled) {

@@ -265,6 +265,18 @@ TEST(Delaunay_update_2, single_edits_of_many_points_are_local) {
   EXPECT_TRUE(follower.has_triangles_of_a_fresh_one());
 }
 
+TEST(Delaunay_update_2, removing_a_site_with_most_others_around_it_starts_afresh) {
+  Points points = ellipse(1, 1, 3000);
+  points.push_back({0, 0});
+  Follower follower(points);
+  points.back() = {0.001, 0};
+  EXPECT_FALSE(follower.change(points));
+  EXPECT_TRUE(follower.is_right());
+  points.front() = {1.001, 0};
+  EXPECT_TRUE(follower.change(points));
+  EXPECT_TRUE(follower.is_right());
+}
+
 TEST(Delaunay_update_2, survives_being_moved) {
   Points points = uniform_points(100, 57);
   Progress progress;
