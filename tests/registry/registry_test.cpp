@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <regex>
 #include <set>
 
 #include "core/graph.h"
@@ -62,12 +62,18 @@ TEST(Registry_2, EveryPromisedLayerIsThere) {
   for (const std::string& id : promised_layers) EXPECT_TRUE(ids.contains(id)) << id;
 }
 
+/// Words of small letters and digits, joined by single hyphens.
+bool is_kebab_case(const std::string& id) {
+  const bool has_only_allowed =
+      std::ranges::all_of(id, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
+  return has_only_allowed && !id.empty() && id.front() != '-' && id.back() != '-' && id.find("--") == std::string::npos;
+}
+
 TEST(Registry_2, EveryEntryHasAKebabCaseIdALabelAndItsOwnHelp) {
   const auto registry = make_registry_2();
-  const std::regex kebab_case("[a-z0-9]+(-[a-z0-9]+)*");
   std::set<std::string> helps;
   const auto check = [&](const std::string& id, const std::string& label, const std::string& help) {
-    EXPECT_TRUE(std::regex_match(id, kebab_case)) << id;
+    EXPECT_TRUE(is_kebab_case(id)) << id;
     EXPECT_FALSE(label.empty()) << id;
     EXPECT_GE(help.size(), 20u) << id;
     EXPECT_TRUE(helps.insert(help).second) << id << " has the help of another entry";
