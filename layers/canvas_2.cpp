@@ -54,23 +54,23 @@ struct Canvas_2::State {
       use_painter({});
       return;
     }
-    const QString reason = reason_for_no_opengl();
-    if (reason.isEmpty()) {
-      use_opengl();
+    const Opengl_probe probe = probe_opengl();
+    if (probe.reason.isEmpty()) {
+      use_opengl(probe.is_software ? 0 : samples_for_fills);
       return;
     }
-    use_painter(reason);
+    use_painter(probe.reason);
     // Nobody can listen before the constructor is done.
     QMetaObject::invokeMethod(
-        &canvas, [this, reason] { Q_EMIT canvas.backend_failed(reason); }, Qt::QueuedConnection);
+        &canvas, [this, reason = probe.reason] { Q_EMIT canvas.backend_failed(reason); }, Qt::QueuedConnection);
   }
-  void use_opengl() {
+  void use_opengl(int samples) {
     const auto fail = [this](const QString& reason) {
       // Perhaps while painting, when the surface must not be replaced.
       QMetaObject::invokeMethod(
           &canvas, [this, reason] { fall_back(reason); }, Qt::QueuedConnection);
     };
-    show_surface(std::make_unique<Gl_surface_2>(content, fail, &canvas));
+    show_surface(std::make_unique<Gl_surface_2>(content, samples, fail, &canvas));
   }
   void fall_back(const QString& reason) {
     use_painter(reason);

@@ -3,7 +3,10 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
 #include <QPainter>
+#include <algorithm>
 
 #include "layers/canvas_2.h"
 #include "layers/painter_canvas.h"
@@ -16,12 +19,12 @@ namespace {
 constexpr std::size_t many_elements = 20000;
 constexpr int rest_milliseconds = 120;
 
-QSurfaceFormat wanted_format() {
+QSurfaceFormat wanted_format(int samples) {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setSamples(4);
+  format.setSamples(samples);
   format.setStencilBufferSize(8);
   format.setDepthBufferSize(24);
   return format;
@@ -33,6 +36,13 @@ bool is_empty(const Canvas_content& content) {
   return true;
 }
 
+bool has_filled_polygons(const std::vector<Scene_layer>& layers) {
+  return std::any_of(layers.begin(), layers.end(), [](const Scene_layer& layer) {
+    return layer.style.visible && layer.style.filled && layer.primitives &&
+           !(layer.primitives->polygon_offsets.empty() && layer.primitives->triangles.empty());
+  });
+}
+
 std::size_t element_count(const Canvas_content& content) {
   std::size_t count = 0;
   for (const Scene_layer& layer : content.scene.layers)
@@ -42,20 +52,28 @@ std::size_t element_count(const Canvas_content& content) {
 
 }  // namespace
 
-QString reason_for_no_opengl() {
+bool is_software_renderer(const QByteArray& name) {
+  const QByteArray lower = name.toLower();
+  return lower.contains("llvmpipe") || lower.contains("softpipe") || lower.contains("swiftshader");
+}
+
+Opengl_probe probe_opengl() {
   QOffscreenSurface surface;
   QOpenGLContext context;
-  context.setFormat(wanted_format());
-  if (!context.create()) return Canvas_2::tr("no OpenGL context can be made");
+  context.setFormat(wanted_format(0));
+  if (!context.create()) return {Canvas_2::tr("no OpenGL context can be made")};
   surface.setFormat(context.format());
   surface.create();
-  if (!surface.isValid() || !context.makeCurrent(&surface)) return Canvas_2::tr("the OpenGL context cannot be used");
+  if (!surface.isValid() || !context.makeCurrent(&surface)) return {Canvas_2::tr("the OpenGL context cannot be used")};
   const auto version = context.format().version();
+  constexpr unsigned renderer = 0x1F01;  // GL_RENDERER
+  const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(renderer));
+  const bool is_software = name && is_software_renderer(name);
   context.doneCurrent();
-  if (context.isOpenGLES()) return Canvas_2::tr("there is only OpenGL ES");
+  if (context.isOpenGLES()) return {Canvas_2::tr("there is only OpenGL ES")};
   if (version < qMakePair(3, 3))
-    return Canvas_2::tr("OpenGL is %1.%2, 3.3 is needed").arg(version.first).arg(version.second);
-  return {};
+    return {Canvas_2::tr("OpenGL is %1.%2, 3.3 is needed").arg(version.first).arg(version.second)};
+  return {{}, is_software};
 }
 
 void paint_foreground(QPainter& painter, const Canvas_content& content, const QSizeF& size, const QPalette& palette) {
@@ -83,9 +101,10 @@ void paint_foreground(QPainter& painter, const Canvas_content& content, const QS
   }
 }
 
-Gl_surface_2::Gl_surface_2(const Canvas_content& content, std::function<void(QString)> fail, QWidget* parent)
+Gl_surface_2::Gl_surface_2(const Canvas_content& content, int samples, std::function<void(QString)> fail,
+                           QWidget* parent)
     : QOpenGLWidget(parent), content_(content), fail_(std::move(fail)) {
-  setFormat(wanted_format());
+  setFormat(wanted_format(samples));
 }
 
 Gl_surface_2::~Gl_surface_2() { free_renderer(); }
@@ -95,6 +114,7 @@ void Gl_surface_2::free_renderer() {
   makeCurrent();
   uploaded_earlier_ += renderer_->uploaded_bytes();
   renderer_.reset();
+  aside_.reset();
   doneCurrent();
 }
 
@@ -110,12 +130,31 @@ void Gl_surface_2::initializeGL() {
 void Gl_surface_2::paintGL() {
   if (!renderer_) return;
   const double ratio = devicePixelRatioF();
-  Scene scene = content_.scene;
-  scene.transparent_background = false;
   const QSize pixels = (QSizeF(size()) * ratio).toSize();
-  renderer_->draw(scene, content_.overlay, content_.view, {pixels.width(), pixels.height(), ratio});
+  const bool is_aside =
+      format().samples() < 2 && (has_filled_polygons(content_.scene.layers) || has_filled_polygons(content_.overlay));
+  if (!is_aside) {
+    draw_scene(pixels, ratio);
+  } else {
+    if (!aside_ || aside_->size() != pixels) {
+      QOpenGLFramebufferObjectFormat form;
+      form.setSamples(samples_for_fills);
+      form.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+      aside_ = std::make_unique<QOpenGLFramebufferObject>(pixels, form);
+    }
+    aside_->bind();
+    draw_scene(pixels, ratio);
+    aside_->release();
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, aside_.get());
+  }
   QPainter painter(this);
   paint_foreground(painter, content_, size(), palette());
+}
+
+void Gl_surface_2::draw_scene(const QSize& pixels, double ratio) {
+  Scene scene = content_.scene;
+  scene.transparent_background = false;
+  renderer_->draw(scene, content_.overlay, content_.view, {pixels.width(), pixels.height(), ratio});
 }
 
 QImage Gl_surface_2::grab_picture() { return grabFramebuffer().convertToFormat(QImage::Format_RGB32); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QImage>
 #include <QOpenGLWidget>
 #include <QPixmap>
@@ -14,6 +15,8 @@
 #include "core/style.h"
 #include "layers/gl_renderer_2.h"
 
+class QOpenGLFramebufferObject;
+
 namespace mesecina {
 
 /// What a Canvas_2 shows.
@@ -25,8 +28,18 @@ struct Canvas_content {
   View_2 view;
 };
 
-/// Why there can be no QOpenGLWidget with OpenGL 3.3 here; empty when there can. Takes some milliseconds.
-QString reason_for_no_opengl();
+/// Per pixel, that the edges of filled polygons are smooth.
+constexpr int samples_for_fills = 4;
+
+/// What a first context tells of the OpenGL there is.
+struct Opengl_probe {
+  QString reason;            ///< why there can be no QOpenGLWidget with OpenGL 3.3 here; empty when there can
+  bool is_software = false;  ///< drawn by the processor, where every sample of a pixel costs time
+};
+/// Takes some milliseconds.
+Opengl_probe probe_opengl();
+/// Whether the GL_RENDERER of this name draws without a graphics card.
+bool is_software_renderer(const QByteArray& name);
 
 /// What stands on top of a scene whatever draws it: colour bars, rubber band, hint. `size` in logical pixels.
 void paint_foreground(QPainter& painter, const Canvas_content& content, const QSizeF& size, const QPalette& palette);
@@ -46,7 +59,9 @@ class Canvas_surface {
 class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
  public:
   /// `fail` is called, at most once and perhaps while painting, when OpenGL turns out not to do.
-  Gl_surface_2(const Canvas_content& content, std::function<void(QString)> fail, QWidget* parent);
+  /// With `samples` per pixel. Only the edges of filled polygons need several; where there is one, scenes that have
+  /// such polygons are drawn aside.
+  Gl_surface_2(const Canvas_content& content, int samples, std::function<void(QString)> fail, QWidget* parent);
   ~Gl_surface_2() override;
 
   QWidget& widget() override { return *this; }
@@ -61,10 +76,12 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
 
  private:
   void free_renderer();
+  void draw_scene(const QSize& pixels, double ratio);
 
   const Canvas_content& content_;
   std::function<void(QString)> fail_;
   std::unique_ptr<Gl_renderer_2> renderer_;
+  std::unique_ptr<QOpenGLFramebufferObject> aside_;  ///< with several samples per pixel; null until it is needed
   std::size_t uploaded_earlier_ = 0;
 };
 

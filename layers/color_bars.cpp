@@ -138,16 +138,19 @@ std::vector<Color_bar> color_bars(const Scene& scene, double width, double heigh
     if (widest < strip_width || static_cast<double>(bars.size() + 1) * plate_height > height - 2 * margin) break;
     Color_bar bar = content_of(layer, colors);
     bar.title = shortened(bar.title, static_cast<std::size_t>(std::min(longest_title, widest) / average_character));
-    strip_width = std::max(strip_width, static_cast<double>(count_characters(bar.title)) * average_character);
+    strip_width =
+        std::max(strip_width, std::ceil(static_cast<double>(count_characters(bar.title)) * average_character));
     bars.push_back(std::move(bar));
   }
   double bottom = height - margin;
   for (Color_bar& bar : bars) {
     const double top = bottom - plate_height;
-    const double left = width - margin - padding - overhang - strip_width;
+    // A frame along the middle of pixels is sharp however it is drawn.
+    constexpr double half_pixel = 0.5;
+    const double left = std::floor(width - margin - padding - overhang - strip_width) + half_pixel;
     bar.plate = {left - overhang - padding, top, width - margin, bottom};
     bar.title_anchor = {left, top + padding + text * 0.85};
-    const double strip_top = top + padding + text + gap;
+    const double strip_top = std::floor(top + padding + text + gap) + half_pixel;
     bar.strip = {left, strip_top, left + strip_width, strip_top + strip_height};
     bar.tick_base = bar.strip.bottom + Color_bar_look::tick_length + gap / 2 + text * 0.85;
     thin_out(bar.ticks, strip_width);

@@ -9,6 +9,7 @@
 
 #include "example_scenes.h"
 #include "layers/canvas_2.h"
+#include "layers/canvas_surface.h"
 #include "layers/painter_canvas.h"
 #include "picture_comparison.h"
 
@@ -57,6 +58,13 @@ class Gl_picture : public testing::Test {
 };
 
 TEST_F(Gl_picture, EveryKindOfPrimitive) { compare(example_scene(), whole, "every_kind"); }
+
+TEST(Software_renderer, IsKnownByItsName) {
+  for (const char* name : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Google SwiftShader"})
+    EXPECT_TRUE(is_software_renderer(name)) << name;
+  for (const char* name : {"Mesa Intel(R) UHD Graphics 620 (KBL GT2)", "NVIDIA H100 PCIe/PCIe/SSE2", ""})
+    EXPECT_FALSE(is_software_renderer(name)) << name;
+}
 
 TEST_F(Gl_picture, DarkBackground) {
   Scene scene = example_scene();
