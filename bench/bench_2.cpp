@@ -83,7 +83,7 @@ Times measure(std::size_t count, int threads, int repetitions) {
                             std::vector<double> values;
                             for (const auto& [a, b] : axis.edges)
                               values.push_back(std::min(importance.values[a], importance.values[b]));
-                            topology_preserving(axis.centers.size(), axis.edges, values, progress);
+                            topology_preserving(axis.centers.size(), axis.edges, values, axis.contacts, progress);
                           }));
   }
   return best;

@@ -189,10 +189,12 @@ Voronoi_2 voronoi(const Delaunay_2& triangulation, Progress& progress) {
   result.vertices.resize(count);
   result.radii.resize(count);
   parallel_for(count, progress, [&](std::size_t t) {
-    const auto& triangle = triangulation.triangles[t];
-    const Point_2& p = triangulation.points[triangle[0]];
-    const Point_2& q = triangulation.points[triangle[1]];
-    const Point_2& r = triangulation.points[triangle[2]];
+    // From the least corner on, so that rounding does not depend on the history of the triangulation.
+    const auto& corners = triangulation.triangles[t];
+    const auto least = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
+    const Point_2& p = triangulation.points[corners[least]];
+    const Point_2& q = triangulation.points[corners[(least + 1) % 3]];
+    const Point_2& r = triangulation.points[corners[(least + 2) % 3]];
     const double qx = q.x - p.x;
     const double qy = q.y - p.y;
     const double rx = r.x - p.x;

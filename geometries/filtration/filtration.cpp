@@ -8,7 +8,8 @@
 namespace mesecina {
 
 std::vector<double> topology_preserving(std::size_t vertex_count, std::span<const std::array<int, 2>> edges,
-                                        std::span<const double> values, Progress& progress) {
+                                        std::span<const double> values, std::span<const std::array<int, 2>> names,
+                                        Progress& progress) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   // Per vertex the number of edges that are left and the exclusive-or of their numbers: with one left, it is that one.
   std::vector<int> degree(vertex_count, 0);
@@ -22,13 +23,15 @@ std::vector<double> topology_preserving(std::size_t vertex_count, std::span<cons
   struct Leaf {
     double value;
     int edge;
-    bool operator>(const Leaf& other) const { return value != other.value ? value > other.value : edge > other.edge; }
+  };
+  const auto goes_later = [names](const Leaf& a, const Leaf& b) {
+    return a.value != b.value ? a.value > b.value : names[a.edge] > names[b.edge];
   };
   const auto is_last = [&](int e) { return degree[edges[e][0]] == 1 && degree[edges[e][1]] == 1; };
   std::vector<Leaf> leaves;
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (degree[edges[e][0]] == 1 || degree[edges[e][1]] == 1) leaves.push_back({values[e], static_cast<int>(e)});
-  std::priority_queue<Leaf, std::vector<Leaf>, std::greater<>> queue(std::greater<>(), std::move(leaves));
+  std::priority_queue queue(goes_later, std::move(leaves));
 
   std::vector<double> final_values(edges.size(), infinity);
   double reached = -infinity;

@@ -119,11 +119,19 @@ std::vector<std::uint8_t> flood_surest_first(const Delaunay_2& triangulation, co
     for (int i = 0; i < 3; ++i)
       if (triangulation.edge_is_listed(t, i)) edges.push_back({certainty(triangulation, t, i), t, i});
   }
-  std::ranges::stable_sort(edges, [](const Ranked_edge& a, const Ranked_edge& b) { return a.certainty > b.certainty; });
-  progress.check();
+  // Many are equally sure; their end points decide, so that nothing depends on the order of the triangles.
+  const auto sorted_ends = [&](const Ranked_edge& edge) {
+    const auto [p, q] = triangulation.edge(edge.triangle, edge.corner);
+    return std::pair(std::min(p, q), std::max(p, q));
+  };
+  std::ranges::sort(edges, [&](const Ranked_edge& a, const Ranked_edge& b) {
+    progress.check();
+    return a.certainty != b.certainty ? a.certainty > b.certainty : sorted_ends(a) < sorted_ends(b);
+  });
   const int outside = count;
   Parity_forest forest(triangulation.triangles.size() + 1);
   for (const Ranked_edge& edge : edges) {
+    progress.check();
     const int u = triangulation.neighbors[edge.triangle][edge.corner];
     forest.unite(edge.triangle, u < 0 ? outside : u, crust.contains(edge.triangle, edge.corner) ? 1 : 0);
   }

@@ -22,7 +22,8 @@ struct Labels_2 {
 /// Labels by flooding Voronoi vertices from infinity, which is outside, and changing side across each crust edge.
 /// Without contradictions the answer does not depend on the order. With them (open, noisy, undersampled curves) the
 /// surest edges are flooded first: those with the largest |log(cot cot)|, infinite where an angle is not acute or the
-/// edge is on the hull. O(n), with contradictions O(n log n).
+/// edge is on the hull; of equally sure ones those with the lesser end points. The labels depend on the triangulation
+/// only, not on the order of its triangles. O(n), with contradictions O(n log n).
 Labels_2 flood_labels(const Delaunay_2& triangulation, const Crust_2& crust, Progress& progress);
 
 /// Labels by the shape itself: a Voronoi vertex is inner iff it lies inside the outline by the even-odd rule.

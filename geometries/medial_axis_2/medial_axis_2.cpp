@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/medial_axis_2/medial_axis_2.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +54,8 @@ Medial_axis_2 medial_axis(const Delaunay_2& triangulation, const Voronoi_2& voro
       const int u = triangulation.neighbors[t][i];
       if (u < 0 || u > t || ball_of_triangle[u] < 0) continue;
       axis.edges.push_back({ball_of_triangle[u], ball_of_triangle[t]});
-      axis.contacts.push_back(triangulation.edge(t, i));
+      const auto [p, q] = triangulation.edge(t, i);
+      axis.contacts.push_back({std::min(p, q), std::max(p, q)});
     }
   }
   return axis;

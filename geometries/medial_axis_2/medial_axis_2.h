@@ -16,8 +16,9 @@ struct Medial_axis_2 {
   std::vector<double> radii;              ///< of the medial balls
   std::vector<int> triangles;             ///< Delaunay triangle of each ball: its corners are the contact points
   std::vector<std::array<int, 2>> edges;  ///< pairs of balls
-  std::vector<std::array<int, 2>>
-      contacts;  ///< per edge, the two samples it lies between (points of the Delaunay triangulation)
+  /// Per edge the two samples that it lies between (points of the Delaunay triangulation), the lesser first. No two
+  /// edges have the same.
+  std::vector<std::array<int, 2>> contacts;
 };
 
 /// O(n).

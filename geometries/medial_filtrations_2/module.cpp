@@ -83,7 +83,8 @@ Importance_2 compute_monotone(Context& context, const Measure& measure) {
   const auto axis = context.get(medial_axis_2_key);
   const auto importance = context.get(measure.importance);
   Importance_2 result;
-  result.edges = topology_preserving(axis->centers.size(), axis->edges, importance->edges, context.progress());
+  result.edges =
+      topology_preserving(axis->centers.size(), axis->edges, importance->edges, axis->contacts, context.progress());
   // A ball without edges is a component of its own: it stays whatever the limit.
   result.balls = largest_of_edges(axis->centers.size(), axis->edges, result.edges, infinity);
   return result;

@@ -25,7 +25,9 @@ struct Graph_with_values {
 
 std::vector<double> filtration_of(const Graph_with_values& graph) {
   Progress progress;
-  return topology_preserving(graph.vertex_count, graph.edges, graph.values, progress);
+  std::vector<Edge> names;
+  for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) names.push_back({e, 0});
+  return topology_preserving(graph.vertex_count, graph.edges, graph.values, names, progress);
 }
 
 std::vector<int> degrees(const Graph_with_values& graph, const std::vector<bool>& kept) {
@@ -292,6 +294,31 @@ TEST(Largest_of_edges, equals_the_definition) {
   // Values below `isolated` count all the same.
   EXPECT_EQ(largest_of_edges(3, std::vector<Edge>{{0, 1}}, std::vector{-5.0}, 0),
             (std::vector<double>{-5.0, -5.0, 0.0}));
+}
+
+TEST(Filtration, depends_on_names_and_not_on_the_order_of_edges) {
+  Progress progress;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    Graph_with_values graph = tree(30, 4, random);
+    add_values(graph, Kind::ties, random);
+    std::vector<Edge> names;
+    for (const int name : random_permutation(static_cast<int>(graph.edges.size()), seed))
+      names.push_back({name / 5, name % 5});
+    const std::vector<double> expected =
+        topology_preserving(graph.vertex_count, graph.edges, graph.values, names, progress);
+    Graph_with_values other{graph.vertex_count, {}, {}};
+    std::vector<Edge> other_names;
+    std::vector<double> other_expected;
+    for (const int e : random_permutation(static_cast<int>(graph.edges.size()), seed + 1)) {
+      other.edges.push_back({graph.edges[e][1], graph.edges[e][0]});
+      other.values.push_back(graph.values[e]);
+      other_names.push_back(names[e]);
+      other_expected.push_back(expected[e]);
+    }
+    EXPECT_EQ(topology_preserving(other.vertex_count, other.edges, other.values, other_names, progress), other_expected)
+        << "seed " << seed;
+  }
 }
 
 }  // namespace
