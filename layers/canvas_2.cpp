@@ -56,7 +56,7 @@ struct Canvas_2::State {
     }
     const Opengl_probe probe = probe_opengl();
     if (probe.reason.isEmpty()) {
-      use_opengl(probe.is_software ? 0 : samples_for_fills);
+      use_opengl(probe.is_software);
       return;
     }
     use_painter(probe.reason);
@@ -64,13 +64,13 @@ struct Canvas_2::State {
     QMetaObject::invokeMethod(
         &canvas, [this, reason = probe.reason] { Q_EMIT canvas.backend_failed(reason); }, Qt::QueuedConnection);
   }
-  void use_opengl(int samples) {
+  void use_opengl(bool is_software) {
     const auto fail = [this](const QString& reason) {
       // Perhaps while painting, when the surface must not be replaced.
       QMetaObject::invokeMethod(
           &canvas, [this, reason] { fall_back(reason); }, Qt::QueuedConnection);
     };
-    show_surface(std::make_unique<Gl_surface_2>(content, samples, fail, &canvas));
+    show_surface(std::make_unique<Gl_surface_2>(content, is_software, fail, &canvas));
   }
   void fall_back(const QString& reason) {
     use_painter(reason);
@@ -255,7 +255,7 @@ Canvas_2::~Canvas_2() { state_->surface.reset(); }
 
 void Canvas_2::set_scene(Scene scene) {
   state_->content.scene = std::move(scene);
-  state_->surface->content_changed();
+  state_->surface->scene_changed();
 }
 
 const Scene& Canvas_2::scene() const { return state_->content.scene; }
@@ -263,7 +263,7 @@ const Scene& Canvas_2::scene() const { return state_->content.scene; }
 void Canvas_2::set_overlay(std::vector<Scene_layer> overlay) {
   if (overlay.empty() && state_->content.overlay.empty()) return;
   state_->content.overlay = std::move(overlay);
-  state_->surface->content_changed();
+  state_->surface->widget().update();
 }
 
 void Canvas_2::set_rubber_band(std::optional<QRectF> rectangle) {

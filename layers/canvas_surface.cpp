@@ -17,6 +17,11 @@ namespace {
 
 /// Scenes with more elements are not painted at every step of a pan or zoom.
 constexpr std::size_t many_elements = 20000;
+constexpr std::size_t many_elements_for_opengl = 40000;
+/// A picture larger or smaller than this tells nothing.
+constexpr double largest_factor = 32;
+/// Per pixel, that the edges of filled polygons are smooth.
+constexpr int samples_for_fills = 4;
 constexpr int rest_milliseconds = 120;
 
 QSurfaceFormat wanted_format(int samples) {
@@ -101,10 +106,29 @@ void paint_foreground(QPainter& painter, const Canvas_content& content, const QS
   }
 }
 
-Gl_surface_2::Gl_surface_2(const Canvas_content& content, int samples, std::function<void(QString)> fail,
+Picture_rest::Picture_rest(QWidget& widget) {
+  timer.setSingleShot(true);
+  timer.setInterval(rest_milliseconds);
+  QObject::connect(&timer, &QTimer::timeout, &widget, [this, &widget] {
+    must_be_exact = true;
+    widget.update();
+  });
+}
+
+void Picture_rest::note(const View_2& shown) {
+  must_be_exact = false;
+  if (view == shown) {
+    timer.stop();
+  } else if (!timer.isActive() || moving != shown) {
+    timer.start();
+  }
+  moving = shown;
+}
+
+Gl_surface_2::Gl_surface_2(const Canvas_content& content, bool is_software, std::function<void(QString)> fail,
                            QWidget* parent)
-    : QOpenGLWidget(parent), content_(content), fail_(std::move(fail)) {
-  setFormat(wanted_format(samples));
+    : QOpenGLWidget(parent), content_(content), fail_(std::move(fail)), keeps_picture_(is_software), rest_(*this) {
+  setFormat(wanted_format(is_software ? 0 : samples_for_fills));
 }
 
 Gl_surface_2::~Gl_surface_2() { free_renderer(); }
@@ -114,7 +138,7 @@ void Gl_surface_2::free_renderer() {
   makeCurrent();
   uploaded_earlier_ += renderer_->uploaded_bytes();
   renderer_.reset();
-  aside_.reset();
+  picture_.reset();
   doneCurrent();
 }
 
@@ -127,37 +151,79 @@ void Gl_surface_2::initializeGL() {
   }
 }
 
+void Gl_surface_2::scene_changed() {
+  is_outdated_ = true;
+  update();
+}
+
 void Gl_surface_2::paintGL() {
   if (!renderer_) return;
   const double ratio = devicePixelRatioF();
   const QSize pixels = (QSizeF(size()) * ratio).toSize();
-  const bool is_aside =
-      format().samples() < 2 && (has_filled_polygons(content_.scene.layers) || has_filled_polygons(content_.overlay));
-  if (!is_aside) {
-    draw_scene(pixels, ratio);
+  const Gl_renderer_2::Frame frame{pixels.width(), pixels.height(), ratio};
+  if (keeps_picture_) {
+    show_picture(frame);
+    renderer_->draw_over(content_.overlay, content_.view, frame);
   } else {
-    if (!aside_ || aside_->size() != pixels) {
-      QOpenGLFramebufferObjectFormat form;
-      form.setSamples(samples_for_fills);
-      form.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-      aside_ = std::make_unique<QOpenGLFramebufferObject>(pixels, form);
-    }
-    aside_->bind();
-    draw_scene(pixels, ratio);
-    aside_->release();
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, aside_.get());
+    Scene scene = content_.scene;
+    scene.transparent_background = false;
+    renderer_->draw(scene, content_.overlay, content_.view, frame);
   }
   QPainter painter(this);
   paint_foreground(painter, content_, size(), palette());
 }
 
-void Gl_surface_2::draw_scene(const QSize& pixels, double ratio) {
+void Gl_surface_2::paint_picture(const Gl_renderer_2::Frame& frame, bool has_fills) {
+  const QSize pixels(frame.width, frame.height);
+  if (!picture_ || picture_->size() != pixels || (picture_->format().samples() > 0) != has_fills) {
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(has_fills ? samples_for_fills : 0);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+  }
   Scene scene = content_.scene;
   scene.transparent_background = false;
-  renderer_->draw(scene, content_.overlay, content_.view, {pixels.width(), pixels.height(), ratio});
+  picture_->bind();
+  renderer_->draw(scene, {}, content_.view, frame);
+  picture_->release();
+  rest_.view = content_.view;
+  is_outdated_ = false;
 }
 
-QImage Gl_surface_2::grab_picture() { return grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
+void Gl_surface_2::show_picture(const Gl_renderer_2::Frame& frame) {
+  const bool has_fills = has_filled_polygons(content_.scene.layers);
+  const bool fits = picture_ && picture_->size() == QSize(frame.width, frame.height) && !is_outdated_;
+  const double factor = content_.view.scale / rest_.view.scale;
+  // Several samples per pixel cannot be stretched.
+  const bool may_wait = fits && !has_fills && !rest_.must_be_exact && factor < largest_factor &&
+                        factor > 1 / largest_factor && element_count(content_) > many_elements_for_opengl;
+  if (!(fits && rest_.view == content_.view) && !may_wait) paint_picture(frame, has_fills);
+  rest_.note(content_.view);
+  if (rest_.view == content_.view) {
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, picture_.get());
+    return;
+  }
+  const Color& ground = content_.scene.background;
+  constexpr float most = 255;
+  QOpenGLFunctions& gl = *context()->functions();
+  constexpr unsigned color_buffer = 0x4000;  // GL_COLOR_BUFFER_BIT
+  constexpr unsigned linear = 0x2601;        // GL_LINEAR
+  gl.glClearColor(ground.red / most, ground.green / most, ground.blue / most, 1);
+  gl.glClear(color_buffer);
+  const Point_2 middle = content_.view.to_pixel(rest_.view.center, frame.width, frame.height);
+  const QSizeF shown = QSizeF(frame.width, frame.height) * factor;
+  const double ratio = frame.pixel_ratio;
+  // Rows of OpenGL are counted from below.
+  const double left = frame.width / 2.0 + (middle.x - frame.width / 2.0) * ratio - shown.width() / 2;
+  const double low = frame.height / 2.0 - (middle.y - frame.height / 2.0) * ratio - shown.height() / 2;
+  QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRectF(QPointF(left, low), shown).toRect(), picture_.get(),
+                                            QRect(0, 0, frame.width, frame.height), color_buffer, linear);
+}
+
+QImage Gl_surface_2::grab_picture() {
+  rest_.must_be_exact = true;
+  return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+}
 
 QString Gl_surface_2::description() const {
   return renderer_ ? QString::fromStdString(renderer_->description()) : QStringLiteral("OpenGL");
@@ -168,17 +234,11 @@ std::size_t Gl_surface_2::uploaded_bytes() const {
 }
 
 Painter_surface_2::Painter_surface_2(const Canvas_content& content, QString reason, QWidget* parent)
-    : QWidget(parent), content_(content), reason_(std::move(reason)) {
+    : QWidget(parent), content_(content), reason_(std::move(reason)), rest_(*this) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  rest_.setSingleShot(true);
-  rest_.setInterval(rest_milliseconds);
-  connect(&rest_, &QTimer::timeout, this, [this] {
-    exact_ = true;
-    update();
-  });
 }
 
-void Painter_surface_2::content_changed() {
+void Painter_surface_2::scene_changed() {
   picture_ = {};
   update();
 }
@@ -187,46 +247,45 @@ void Painter_surface_2::paint_picture() {
   const double ratio = devicePixelRatioF();
   picture_ = QPixmap((QSizeF(size()) * ratio).toSize());
   picture_.setDevicePixelRatio(ratio);
-  picture_view_ = content_.view;
+  rest_.view = content_.view;
   Scene scene = content_.scene;
   scene.transparent_background = false;
   QPainter painter(&picture_);
   paint_scene(painter, scene, content_.view, width(), height());
-  Scene above;
-  above.layers = content_.overlay;
-  above.transparent_background = true;
-  paint_scene(painter, above, content_.view, width(), height());
 }
 
 void Painter_surface_2::paintEvent(QPaintEvent*) {
   const QSizeF picture_size = picture_.deviceIndependentSize();
   const bool fits = !picture_.isNull() && picture_.devicePixelRatio() == devicePixelRatioF() &&
                     (picture_size * devicePixelRatioF()).toSize() == (QSizeF(size()) * devicePixelRatioF()).toSize();
-  const bool is_current = fits && picture_view_ == content_.view;
-  const bool may_wait = fits && !exact_ && element_count(content_) > many_elements;
+  const bool is_current = fits && rest_.view == content_.view;
+  const bool may_wait = fits && !rest_.must_be_exact && element_count(content_) > many_elements;
   if (!is_current && !may_wait) paint_picture();
-  exact_ = false;
+  rest_.note(content_.view);
   QPainter painter(this);
-  if (picture_view_ == content_.view) {
-    rest_.stop();
+  if (rest_.view == content_.view) {
     painter.drawPixmap(QPointF(), picture_);
   } else {
-    if (!rest_.isActive() || moving_view_ != content_.view) rest_.start();
-    moving_view_ = content_.view;
     const Color& ground = content_.scene.background;
     painter.fillRect(rect(), QColor(ground.red, ground.green, ground.blue));
-    const double factor = content_.view.scale / picture_view_.scale;
-    const Point_2 middle = content_.view.to_pixel(picture_view_.center, width(), height());
+    const double factor = content_.view.scale / rest_.view.scale;
+    const Point_2 middle = content_.view.to_pixel(rest_.view.center, width(), height());
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     const QSizeF shown = QSizeF(size()) * factor;
     painter.drawPixmap(QRectF(QPointF(middle.x - shown.width() / 2, middle.y - shown.height() / 2), shown), picture_,
                        QRectF(picture_.rect()));
   }
+  Scene above;
+  above.layers = content_.overlay;
+  above.transparent_background = true;
+  painter.save();
+  paint_scene(painter, above, content_.view, width(), height());
+  painter.restore();
   paint_foreground(painter, content_, size(), palette());
 }
 
 QImage Painter_surface_2::grab_picture() {
-  exact_ = true;
+  rest_.must_be_exact = true;
   return grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 

@@ -28,9 +28,6 @@ struct Canvas_content {
   View_2 view;
 };
 
-/// Per pixel, that the edges of filled polygons are smooth.
-constexpr int samples_for_fills = 4;
-
 /// What a first context tells of the OpenGL there is.
 struct Opengl_probe {
   QString reason;            ///< why there can be no QOpenGLWidget with OpenGL 3.3 here; empty when there can
@@ -49,23 +46,36 @@ class Canvas_surface {
  public:
   virtual ~Canvas_surface() = default;
   virtual QWidget& widget() = 0;
-  /// Scene or overlay are others than before; a changed view, rubber band or hint needs only widget().update().
-  virtual void content_changed() = 0;
+  /// To be called when the scene is another; for all other changes widget().update() is enough.
+  virtual void scene_changed() = 0;
   virtual QImage grab_picture() = 0;
   virtual QString description() const = 0;
   virtual std::size_t uploaded_bytes() const = 0;
 };
 
+/// Of which view a kept picture is, and when it is to be painted anew because the view has come to rest.
+struct Picture_rest {
+  View_2 view;    ///< of the picture
+  View_2 moving;  ///< for which the picture was last shown in its place
+  QTimer timer;
+  bool must_be_exact = false;  ///< the next painting
+
+  explicit Picture_rest(QWidget& widget);
+  /// After each painting.
+  void note(const View_2& shown);
+};
+
 class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
  public:
   /// `fail` is called, at most once and perhaps while painting, when OpenGL turns out not to do.
-  /// With `samples` per pixel. Only the edges of filled polygons need several; where there is one, scenes that have
-  /// such polygons are drawn aside.
-  Gl_surface_2(const Canvas_content& content, int samples, std::function<void(QString)> fail, QWidget* parent);
+  /// With several samples per pixel when a graphics card draws. In software there is one, but for filled polygons,
+  /// whose edges are the only ones that need more; and a picture of the scene is kept, so that what changes above it
+  /// costs little. While the view of a very large scene moves, that picture is shown in its place.
+  Gl_surface_2(const Canvas_content& content, bool is_software, std::function<void(QString)> fail, QWidget* parent);
   ~Gl_surface_2() override;
 
   QWidget& widget() override { return *this; }
-  void content_changed() override { update(); }
+  void scene_changed() override;
   QImage grab_picture() override;
   QString description() const override;
   std::size_t uploaded_bytes() const override;
@@ -76,22 +86,27 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
 
  private:
   void free_renderer();
-  void draw_scene(const QSize& pixels, double ratio);
+  void paint_picture(const Gl_renderer_2::Frame& frame, bool has_fills);
+  void show_picture(const Gl_renderer_2::Frame& frame);
 
   const Canvas_content& content_;
   std::function<void(QString)> fail_;
   std::unique_ptr<Gl_renderer_2> renderer_;
-  std::unique_ptr<QOpenGLFramebufferObject> aside_;  ///< with several samples per pixel; null until it is needed
+  bool keeps_picture_;
+  std::unique_ptr<QOpenGLFramebufferObject> picture_;  ///< of the scene; null where none is kept
+  bool is_outdated_ = true;                            ///< the picture is of an earlier scene
+  Picture_rest rest_;
   std::size_t uploaded_earlier_ = 0;
 };
 
-/// Keeps a picture of large scenes: while the view moves, that is shown in its place, and painted anew when it rests.
+/// Keeps a picture of the scene: while the view of a large one moves, that is shown in its place, and painted anew when
+/// it rests.
 class Painter_surface_2 : public QWidget, public Canvas_surface {
  public:
   Painter_surface_2(const Canvas_content& content, QString reason, QWidget* parent);
 
   QWidget& widget() override { return *this; }
-  void content_changed() override;
+  void scene_changed() override;
   QImage grab_picture() override;
   QString description() const override;
   std::size_t uploaded_bytes() const override { return 0; }
@@ -104,11 +119,8 @@ class Painter_surface_2 : public QWidget, public Canvas_surface {
 
   const Canvas_content& content_;
   QString reason_;
-  QPixmap picture_;  ///< of scene and overlay; null when they have changed
-  View_2 picture_view_;
-  View_2 moving_view_;  ///< for which the picture was last shown in its place
-  QTimer rest_;
-  bool exact_ = false;  ///< the next painting must be exact
+  QPixmap picture_;  ///< of the scene; null when it has changed
+  Picture_rest rest_;
 };
 
 }  // namespace mesecina

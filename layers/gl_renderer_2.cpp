@@ -99,6 +99,8 @@ struct Gl_renderer_2::State {
     const Color_map_texture* map = nullptr;
   };
 
+  void begin(const View_2& seen, const Frame& page);
+  static void end();
   Gl_primitives& primitives_of(const std::shared_ptr<const Primitive_set>& set);
   const Color_map_texture& texture_of(const Color_map& map);
   Look look_of(const Scene_layer& layer, Gl_primitives& buffers);
@@ -350,20 +352,17 @@ Gl_renderer_2::Gl_renderer_2() {
 
 Gl_renderer_2::~Gl_renderer_2() = default;
 
-void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_2& view,
-                         const Frame& frame) {
-  State& s = *state_;
-  s.view = view;
-  s.frame = frame;
-  s.scale = view.scale * frame.pixel_ratio;
-  std::erase_if(s.primitives, [&](const auto& entry) {
+void Gl_renderer_2::State::begin(const View_2& seen, const Frame& page) {
+  view = seen;
+  frame = page;
+  scale = view.scale * frame.pixel_ratio;
+  std::erase_if(primitives, [&](const auto& entry) {
     if (!entry.second.is_expired()) return false;
-    s.other_bytes += entry.second.uploaded_bytes();
+    other_bytes += entry.second.uploaded_bytes();
     return true;
   });
-
   glViewport(0, 0, frame.width, frame.height);
-  glBindVertexArray(s.vertex_array);
+  glBindVertexArray(vertex_array);
   glActiveTexture(GL_TEXTURE0);
   glEnable(GL_MULTISAMPLE);
   glEnable(GL_BLEND);
@@ -372,15 +371,9 @@ void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overla
   for (unsigned feature : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CULL_FACE}) glDisable(feature);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glStencilMask(~0U);
-  glClearStencil(0);
-  const float alpha = scene.transparent_background ? 0 : 1;
-  const Color& ground = scene.background;
-  glClearColor(alpha * ground.red / 255.0F, alpha * ground.green / 255.0F, alpha * ground.blue / 255.0F, alpha);
-  glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
 
-  for (const Scene_layer& layer : scene.layers) s.draw_layer(layer);
-  for (const Scene_layer& layer : overlay) s.draw_layer(layer);
-
+void Gl_renderer_2::State::end() {
   glDisable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ZERO);
   glStencilMask(~0U);
@@ -392,6 +385,30 @@ void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overla
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glBindVertexArray(0);
   glUseProgram(0);
+}
+
+void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_2& view,
+                         const Frame& frame) {
+  State& s = *state_;
+  s.begin(view, frame);
+  glClearStencil(0);
+  const float alpha = scene.transparent_background ? 0 : 1;
+  const Color& ground = scene.background;
+  glClearColor(alpha * ground.red / 255.0F, alpha * ground.green / 255.0F, alpha * ground.blue / 255.0F, alpha);
+  glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+
+  for (const Scene_layer& layer : scene.layers) s.draw_layer(layer);
+  for (const Scene_layer& layer : overlay) s.draw_layer(layer);
+  State::end();
+}
+
+void Gl_renderer_2::draw_over(std::span<const Scene_layer> layers, const View_2& view, const Frame& frame) {
+  state_->begin(view, frame);
+  // The last bit of the stencil marks the insides of polygons while they are drawn.
+  glClearStencil(0);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  for (const Scene_layer& layer : layers) state_->draw_layer(layer);
+  State::end();
 }
 
 std::size_t Gl_renderer_2::uploaded_bytes() const {
