@@ -27,7 +27,7 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
   listener.progressed = [this](std::uint64_t, const std::string& stage, double fraction) {
     if (is_busy_) Q_EMIT progressed(stage_text(stage), fraction);
   };
-  listener.finished_layer = [this](Worker::Layer_result result) { take(std::move(result)); };
+  listener.finished_layer = [this](const Worker::Layer_result& result) { take(result); };
   listener.finished = [this](std::uint64_t ticket, bool) { finish(ticket); };
   // Closures that come after this object is gone are dropped by Qt with it.
   const auto deliver = [this](std::function<void()> closure) {
