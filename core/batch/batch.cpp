@@ -114,6 +114,7 @@ std::string Batch::fingerprint(const fs::path& file) const {
   nlohmann::ordered_json json;
   std::error_code error;
   json["version"] = MESECINA_VERSION;
+  json["input"] = fs::weakly_canonical(file, error).string();
   json["bytes"] = fs::file_size(file, error);
   json["changed"] = fs::last_write_time(file, error).time_since_epoch().count();
   json["layers"] = layers_;

@@ -2,10 +2,32 @@
 #include "geometries/samples_2/module.h"
 
 #include <limits>
+#include <numeric>
 
 #include "core/graph.h"
+#include "geometries/primitives_2.h"
 
 namespace mesecina {
+
+namespace {
+
+Primitive_set sample_layer(Context& context) {
+  const auto samples = context.get(samples_2_key);
+  Primitive_set set;
+  set.vertices = lifted(samples->points);
+  set.points.resize(samples->points.size());
+  std::iota(set.points.begin(), set.points.end(), 0);
+  return set;
+}
+
+Element_description describe_sample(Context& context, std::size_t element) {
+  const auto samples = context.get(samples_2_key);
+  Element_description description;
+  if (element < samples->points.size()) description.facts.push_back(fact("position", samples->points[element]));
+  return description;
+}
+
+}  // namespace
 
 void register_samples_2(Registry& registry) {
   registry.begin_module({"samples-2", "Sampling", "Points that stand for the shape."});
@@ -38,6 +60,18 @@ void register_samples_2(Registry& registry) {
       throw Unavailable("there is nothing to sample: draw, generate or open points or an outline");
     return samples;
   });
+  Layer_spec layer;
+  layer.id = "samples";
+  layer.label = "Samples";
+  layer.stage = "Input";
+  layer.help =
+      "The points that every structure starts from: those drawn or read, then those along the outline, as far apart as "
+      "sampling-step says. Other layers number samples in this order.";
+  layer.style = look({90, 96, 104});
+  layer.style.point_size = 3;
+  layer.build = sample_layer;
+  layer.describe = describe_sample;
+  registry.add_layer(std::move(layer));
 }
 
 }  // namespace mesecina
