@@ -159,5 +159,60 @@ TEST(Is_inside, large_outline_takes_little_time) {
   EXPECT_EQ(differing, 0);
 }
 
+/// Long teeth side by side: nearly every edge passes every height. `shear` leans them over.
+Outline_2 comb(int teeth, double shear, bool lies_down) {
+  Ring_2 ring;
+  const auto add = [&](double x, double y) {
+    x += shear * y;
+    ring.push_back(lies_down ? Point_2{y, x} : Point_2{x, y});
+  };
+  for (int i = 0; i < teeth; ++i) {
+    add(i, 0);
+    add(i + 0.5, teeth);
+  }
+  add(teeth, 0);
+  add(teeth, -1);
+  add(0, -1);
+  return {{ring}};
+}
+
+TEST(Is_inside, combs) {
+  for (const bool lies_down : {false, true}) {
+    for (const double shear : {0.0, 0.3, 1.0}) {
+      SCOPED_TRACE(testing::Message() << "shear " << shear << ", lies down: " << lies_down);
+      const Outline_2 outline = comb(100, shear, lies_down);
+      expect_exact(outline, queries_around(outline, 60, 11));
+    }
+  }
+}
+
+TEST(Is_inside, large_combs_take_little_time_and_memory) {
+  constexpr int teeth = 50000;
+  for (const bool lies_down : {false, true}) {
+    const Outline_2 outline = comb(teeth, 0, lies_down);
+    std::vector<Point_2> queries;
+    std::vector<std::uint8_t> expected;
+    Random random(12);
+    for (int i = 0; i < 2 * teeth; ++i) {
+      const int tooth = random.index(teeth);
+      const double height = random.unit();
+      // Half the width of a tooth is (1 - height) / 2; between two teeth it is empty.
+      const double place = random.uniform(-0.5, 0.5);
+      const double gap = std::abs(place) - (1 - height) / 2;
+      if (std::abs(gap) < 1e-6) continue;
+      const double x = tooth + 0.5 + place;
+      queries.push_back(lies_down ? Point_2{height * teeth, x} : Point_2{x, height * teeth});
+      expected.push_back(gap < 0 ? 1 : 0);
+    }
+    ASSERT_GT(queries.size(), 1.9 * teeth);
+    Progress progress;
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<std::uint8_t> answers = is_inside(outline, queries, progress);
+    // A list of edges for each of as many strips would hold 10^10 entries.
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 5);
+    EXPECT_EQ(answers, expected);
+  }
+}
+
 }  // namespace
 }  // namespace mesecina::test
