@@ -176,6 +176,7 @@ Popover* open_picture_popover(const QSize& start, QWidget* over,
   popover->form()->addRow(QObject::tr("Height"), height);
   popover->form()->addRow(is_transparent);
   popover->column()->addWidget(save);
+  popover->set_default(save);
   QObject::connect(save, &QPushButton::clicked, popover, [=, write = std::move(write)] {
     write(width->value(), height->value(), is_transparent->isChecked());
     popover->dismiss();
@@ -197,6 +198,7 @@ Popover* open_layers_popover(const Formats& formats, QWidget* over,
   }
   auto* save = new QPushButton(QObject::tr("Into folder…"), popover);
   popover->column()->addWidget(save);
+  popover->set_default(save);
   QObject::connect(save, &QPushButton::clicked, popover, [popover, boxes, write = std::move(write)] {
     std::vector<std::string> chosen;
     for (const QCheckBox* box : boxes)

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -66,6 +67,8 @@ void Popover::dismiss() {
 void Popover::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
     dismiss();
+  } else if (default_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)) {
+    default_->click();
   } else {
     QFrame::keyPressEvent(event);
   }

@@ -5,6 +5,7 @@
 
 class QFormLayout;
 class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace mesecina {
@@ -19,6 +20,8 @@ class Popover : public QFrame {
 
   QFormLayout* form() const { return form_; }
   QVBoxLayout* column() const { return column_; }
+  /// Enter in any of the controls clicks this button, which belongs to the popover.
+  void set_default(QPushButton* button) { default_ = button; }
   /// After the controls were added.
   void open();
 
@@ -36,6 +39,7 @@ class Popover : public QFrame {
   QWidget* over_;
   QVBoxLayout* column_;
   QFormLayout* form_;
+  QPushButton* default_ = nullptr;
 };
 
 }  // namespace mesecina

@@ -3,9 +3,11 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QSpinBox>
 #include <QUrl>
 #include <QtTest>
 
+#include "app2d/popovers_2.h"
 #include "window_fixture.h"
 
 namespace mesecina {
@@ -115,6 +117,17 @@ TEST_F(Files, ExportsThePictureAndTheLayers) {
   EXPECT_TRUE(content(folder_.filePath("Example.medial-axis.json")).contains("\"mesecina-layer\""));
   EXPECT_FALSE(content(folder_.filePath("Example.points.csv")).isEmpty());
   EXPECT_FALSE(QFile::exists(folder_.filePath("Example.delaunay.csv")));
+}
+
+TEST_F(Files, EnterInAnExportGoesOnToTheFile) {
+  bool was_written = false;
+  Popover* popover = open_picture_popover(
+      {400, 300}, &canvas(), [&](int width, int height, bool) { was_written = width == 640 && height == 300; });
+  auto* width = popover->findChildren<QSpinBox*>().front();
+  width->selectAll();
+  QTest::keyClicks(width, "640");
+  QTest::keyClick(width, Qt::Key_Return);
+  EXPECT_TRUE(was_written);
 }
 
 TEST_F(Files, ExamplesOpen) {
