@@ -27,6 +27,7 @@ bool is_worth_a_note(const QString& reason) {
 Layer_notes::Layer_notes(QWidget* canvas) : QLabel(canvas) {
   setObjectName(QStringLiteral("layer-notes"));
   setTextFormat(Qt::RichText);
+  setWordWrap(true);
   // Links that took the focus would take the keys from the canvas.
   setTextInteractionFlags(Qt::LinksAccessibleByMouse);
   setFocusPolicy(Qt::NoFocus);
@@ -62,16 +63,18 @@ void Layer_notes::arrange() {
   const int widest = std::max(whole - width_beside, static_cast<int>(whole * least_share));
   QStringList shown;
   const QStringList all = lines();
+  int natural = 0;
+  for (const QString& line : all) natural = std::max(natural, fontMetrics().horizontalAdvance(line));
   for (qsizetype i = 0; i < all.size(); ++i)
     shown << QStringLiteral("<a href=\"%1\" style=\"color:%2; text-decoration:none\">%3</a>")
-                 .arg(notes_[static_cast<std::size_t>(i)].layer, color,
-                      fontMetrics().elidedText(all[i], Qt::ElideRight, widest).toHtmlEscaped());
+                 .arg(notes_[static_cast<std::size_t>(i)].layer, color, all[i].toHtmlEscaped());
   setText(shown.join(QStringLiteral("<br>")));
   QStringList every;
   for (const Note& note : notes_) every << tr("%1: %2").arg(note.label, note.reason);
   setToolTip(every.join(QLatin1Char('\n')));
   setAccessibleName(toolTip());
-  adjustSize();
+  const int used = std::min(natural + 2, widest);
+  resize(used, heightForWidth(used));
   move(margin, parentWidget()->height() - height() - margin);
   show();
   raise();

@@ -27,7 +27,7 @@ class Layer_notes : public QLabel {
 
   /// Readable on `background`.
   void set_notes(std::vector<Note> notes, Color background);
-  /// The lines as they are shown, without marks and not shortened.
+  /// The lines as they are shown, without marks; each may take several rows.
   QStringList lines() const;
 
  Q_SIGNALS:

@@ -76,8 +76,18 @@ void Message_bar::paintEvent(QPaintEvent*) {
   const QRectF square(em * 0.7, em * 0.4, em * 0.9, em * 0.9);
   if (kind_ == Kind::error) {
     paint_failure(painter, square, signal, palette().color(QPalette::Base));
-  } else {
+  } else if (kind_ == Kind::warning) {
     paint_warning(painter, square, signal, palette().color(QPalette::Base));
+  } else {
+    // An "i" in a disk.
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(signal);
+    painter.drawEllipse(square);
+    const double stroke = square.width() * 0.14;
+    const double x = square.center().x() - stroke / 2;
+    const QColor ink = palette().color(QPalette::HighlightedText);
+    painter.fillRect(QRectF(x, square.top() + square.height() * 0.22, stroke, stroke), ink);
+    painter.fillRect(QRectF(x, square.top() + square.height() * 0.44, stroke, square.height() * 0.34), ink);
   }
 }
 
