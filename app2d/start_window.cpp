@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app2d/start_window.h"
 
-#include <time.h>
 #include <unistd.h>
 
 #include <QApplication>
@@ -9,6 +8,7 @@
 #include <QPixmap>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
