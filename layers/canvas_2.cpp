@@ -6,7 +6,6 @@
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
 #include <QPinchGesture>
-#include <QTimer>
 #include <QWheelEvent>
 #include <cmath>
 
@@ -37,8 +36,7 @@ struct Canvas_2::State {
   std::unique_ptr<Canvas_surface> surface;
   Canvas_tool* tool = nullptr;
   View_history history;
-  std::optional<Box> box_to_fit;  ///< again when the canvas gets another size while its window appears
-  bool is_settled = false;        ///< it has had its size on screen for a while
+  std::optional<Box> box_to_fit;  ///< again when the canvas gets another size, until the user moves the view
 
   Qt::MouseButton pan_button = Qt::NoButton;  ///< none: no pan is going on
   QPointF pan_position;
@@ -227,13 +225,6 @@ struct Canvas_2::State {
     surface->widget().setGeometry(canvas.rect());
     if (box_to_fit) show_view(fitting_view(*box_to_fit));
   }
-  void settle_soon() {
-    constexpr int milliseconds = 250;
-    QTimer::singleShot(milliseconds, &canvas, [this] {
-      is_settled = true;
-      box_to_fit.reset();
-    });
-  }
   void leave() const {
     if (tool) tool->leave();
   }
@@ -285,7 +276,7 @@ void Canvas_2::set_view(const View_2& view) {
 void Canvas_2::fit(const Box& box) {
   const View_2 view = state_->fitting_view(box);
   if (isVisible()) state_->history.jump(state_->content.view, view);
-  if (!state_->is_settled) state_->box_to_fit = box;
+  state_->box_to_fit = box;
   state_->show_view(view);
 }
 
@@ -354,9 +345,6 @@ bool Canvas_2::event(QEvent* event) {
       break;
     case QEvent::Resize:
       state.resize();
-      break;
-    case QEvent::Show:
-      state.settle_soon();
       break;
     default:
       break;

@@ -55,6 +55,7 @@ class Canvas_2 : public QWidget {
   const View_2& view() const;
   /// Remembers the old view for previous_view unless it is a small step of the same gesture.
   void set_view(const View_2& view);
+  /// Shows all of the box, also when the canvas gets another size, until the view is moved.
   void fit(const Box& box);
   void previous_view();
   void zoom(double factor);  ///< about the middle

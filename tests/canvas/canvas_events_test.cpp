@@ -191,6 +191,19 @@ TEST_F(Canvas_events, FitBeforeShowingFitsTheSizeOnScreen) {
   EXPECT_EQ(canvas->view(), fit_view(box, canvas->width(), canvas->height()));
 }
 
+TEST_F(Canvas_events, AFittedViewFollowsTheSizeUntilItIsMoved) {
+  const Box box = every_kind()->bounding_box();
+  canvas_.fit(box);
+  // Longer than a window takes to appear.
+  QTest::qWait(400);
+  canvas_.resize(300, 200);
+  EXPECT_EQ(canvas_.view(), fit_view(box, 300, 200));
+  canvas_.zoom(2);
+  const View_2 zoomed = canvas_.view();
+  canvas_.resize(400, 300);
+  EXPECT_EQ(canvas_.view(), zoomed);
+}
+
 TEST_F(Canvas_events, HintIsShownOnAnEmptyCanvasOnly) {
   canvas_.set_scene({});
   const QImage blank = canvas_.grab_picture();
