@@ -99,7 +99,7 @@ TEST_F(Live, TheCanvasTellsOfFailedLayersThatAreVisible) {
   EXPECT_LE(notes.geometry().bottom(), canvas().height());
 
   window().layer_panel().select({"points"});
-  QTest::mouseClick(&notes, Qt::LeftButton, {}, notes.rect().center());
+  QTest::mouseClick(&notes, Qt::LeftButton, {}, QPoint(notes.fontMetrics().height(), notes.fontMetrics().height() / 2));
   EXPECT_EQ(window().layer_panel().selected(), QStringList("medial-axis"));
 
   trigger("show-all-layers");
