@@ -82,8 +82,9 @@ struct Graph::State {
 };
 
 struct Context::Frame {
-  Graph::Node* node;  ///< null: reads are not recorded
-  double waited = 0;  ///< seconds spent in other nodes
+  Graph::Node* node;       ///< null: reads are not recorded
+  double waited = 0;       ///< seconds spent in other nodes
+  std::string_view stage;  ///< its name in reports of progress
 };
 
 std::shared_ptr<const void> Context::structure(std::string_view id, std::type_index type) {
@@ -100,8 +101,11 @@ std::shared_ptr<const void> Context::structure(std::string_view id, std::type_in
   // What is being checked reads, so far as is known, the very structure that asks here.
   if (graph_.state_->node(id).checking) throw std::logic_error("structure '" + std::string(id) + "' depends on itself");
   const auto start = Clock::now();
+  const std::size_t stages_before = graph_.state_->stages.size();
   Graph::Node& node = graph_.state_->refresh(graph_, id);
   frame_.waited += seconds_since(start);
+  // What is reported from here on is again of the one that asked.
+  if (graph_.state_->stages.size() != stages_before) progress().begin_stage(frame_.stage);
   if (!node.value) throw Unavailable(node.reason);
   return node.value;
 }
@@ -214,7 +218,7 @@ void Graph::State::compute(Graph& graph, std::string_view id, Node& n) {
   n.computed_at = 0;
   const Mark running(n.running);
 
-  Context::Frame frame{&n, 0};
+  Context::Frame frame{&n, 0, id};
   Context context(graph, frame);
   bool updated = false;
   try {
@@ -268,11 +272,13 @@ Element_description Graph::describe(std::string_view layer_id, std::size_t eleme
   state_->progress = &progress;
   Element_description description;
   if (!spec->describe) return description;
-  Context::Frame frame{nullptr, 0};
+  Context::Frame frame{nullptr, 0, layer_id};
   Context context(*this, frame);
   try {
     description = spec->describe(context, element);
-  } catch (const Unavailable&) {
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception&) {
     return {};
   }
   return description;

@@ -78,7 +78,8 @@ class Graph {
     auto [value, reason] = evaluate(key.id, progress);
     return {std::static_pointer_cast<const T>(std::move(value)), std::move(reason)};
   }
-  /// What the layer's own `describe` says of an element; empty where it has none or the element is out of range.
+  /// What the layer's own `describe` says of an element; empty where it has none, where it fails, or when the element
+  /// is out of range. Throws as `layer`.
   Element_description describe(std::string_view layer_id, std::size_t element, Progress& progress);
 
   /// True when `layer` would answer from what is kept, without computing.

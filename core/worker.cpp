@@ -43,7 +43,7 @@ struct Worker::State {
   std::condition_variable_any wake;
   std::optional<Request> waiting;
   std::optional<Question> question;
-  std::stop_source running;  ///< of the request being computed
+  std::stop_source running;  ///< of the request or question being computed
   bool is_running = false;
   Clock::time_point running_since;
   bool replaced_last = false;  ///< the previous request was stopped in favour of the running one
@@ -94,12 +94,12 @@ void Worker::State::run(const std::stop_token& stop) {
       if (stop.stop_requested()) return;
       if (waiting) {
         request = std::exchange(waiting, std::nullopt);
-        running = std::stop_source();
-        is_running = true;
-        running_since = Clock::now();
       } else {
         asked = std::exchange(question, std::nullopt);
       }
+      running = std::stop_source();
+      is_running = true;
+      running_since = Clock::now();
     }
     if (request) {
       serve(std::move(*request));
@@ -175,14 +175,7 @@ void Worker::State::serve(Request request) {
 }
 
 void Worker::State::answer(Question asked) {
-  std::stop_source source;
-  {
-    const std::lock_guard lock(mutex);
-    running = source;
-    is_running = true;
-    running_since = Clock::now();
-  }
-  Progress progress(source.get_token(), {}, threads);
+  Progress progress(running.get_token(), {}, threads);
   std::optional<Element_description> description;
   try {
     description = graph.describe(asked.layer, asked.element, progress);

@@ -114,6 +114,7 @@ std::string Batch::fingerprint(const fs::path& file) const {
   nlohmann::ordered_json json;
   std::error_code error;
   json["version"] = MESECINA_VERSION;
+  json["input"] = file.filename().string();
   json["input"] = fs::weakly_canonical(file, error).string();
   json["bytes"] = fs::file_size(file, error);
   json["changed"] = fs::last_write_time(file, error).time_since_epoch().count();
@@ -125,7 +126,8 @@ std::string Batch::fingerprint(const fs::path& file) const {
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
   json["seed"] = command_line_.seed;
-  return json.dump() + "\n";
+  // The name of a file need not be UTF-8.
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 bool Batch::is_complete(const fs::path& file) const {
@@ -207,6 +209,8 @@ Input_statistics Batch::compute(const fs::path& file) {
     Graph graph(registry_);
     graph.set_inputs(std::move(contents.inputs));
     graph.set_settings(command_line_.settings);
+    // From here on what lies there is a mixture, should this run not come to its end.
+    fs::remove(record_of(file));
     write_layers(file, graph, statistics);
     for (const Graph::Stage& stage : graph.stages()) statistics.seconds[stage.id] += stage.seconds;
     write_file(record_of(file), [&](std::ostream& stream) { stream << fingerprint(file); });
@@ -304,6 +308,11 @@ int Batch::run() {
         std::min<std::size_t>(static_cast<std::size_t>(command_line_.jobs), command_line_.files.size());
     for (std::size_t j = 1; j < jobs; ++j) helpers.emplace_back(work);
     work();
+  }
+  if (command_line_.stats && !stats_.flush()) {
+    errors_ << program_ << ": --stats " << command_line_.stats->string() << ": could not be written to its end"
+            << std::endl;
+    return exit_some_failed;
   }
   return any_failed_ ? exit_some_failed : exit_success;
 }

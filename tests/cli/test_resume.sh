@@ -55,3 +55,15 @@ run --nogui first.xy second.xy --layers one-step-crust,medial-axis --formats jso
 expect_status 0
 identity >after
 ! cmp -s before after || fail "expected all to be written anew"
+
+# Results of one setting, then a run of another that does not come to its end: what lies there is not complete.
+run "${arguments[@]}"
+expect_status 0
+rm -rf out/second.medial-axis.json && mkdir out/second.medial-axis.json
+run "${arguments[@]}" --set sampling-step=0.02
+expect_status 1
+rmdir out/second.medial-axis.json
+cp out/second.one-step-crust.json out/second.medial-axis.json
+run "${arguments[@]}"
+expect_status 0
+expect_json out/second.medial-axis.json '.[0].layer == "medial-axis"'
