@@ -129,7 +129,8 @@ class Grid {
   template <class Visit>
   void each_cell(const Edge& edge, const Visit& visit) const {
     const auto [left, right] = std::minmax({columns_.cell(edge.p.x), columns_.cell(edge.q.x)});
-    const auto [bottom, top] = std::minmax({rows_.cell(edge.p.y), rows_.cell(edge.q.y)});
+    const std::size_t bottom = std::min(rows_.cell(edge.p.y), rows_.cell(edge.q.y));
+    const std::size_t top = std::max(rows_.cell(edge.p.y), rows_.cell(edge.q.y));
     // Far more than the rounding errors of what follows.
     constexpr double slack = 1e-9;
     const double x0 = (edge.p.x - columns_.low) / columns_.size;
@@ -173,7 +174,8 @@ class Grid {
     is_reference_inside_.assign(columns_.count * rows_.count, 0);
     for (const Edge& edge : edges_) {
       progress.check();
-      const auto [bottom, top] = std::minmax({rows_.cell(edge.p.y), rows_.cell(edge.q.y)});
+      const std::size_t bottom = std::min(rows_.cell(edge.p.y), rows_.cell(edge.q.y));
+      const std::size_t top = std::max(rows_.cell(edge.p.y), rows_.cell(edge.q.y));
       const bool goes_up = edge.p.y < edge.q.y;
       for (std::size_t row = bottom; row <= top; ++row) {
         const double y = rows_.middle(row);
