@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/batch/batch.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <fstream>
@@ -155,6 +156,8 @@ void Batch::write_layers(const fs::path& file, Graph& graph, Input_statistics& s
   Progress progress({}, {}, threads_);
   const auto settings = all_settings(*registry_, command_line_.settings);
   double write_seconds = 0;
+  const bool wants_pictures = std::ranges::any_of(
+      command_line_.formats, [&](const std::string& name) { return formats_.find_picture_writer(name) != nullptr; });
   std::map<std::string, std::shared_ptr<const Primitive_set>> kept;
   for (const std::string& id : layers_) {
     const Outcome<Primitive_set> outcome = graph.layer(id, progress);
@@ -176,7 +179,7 @@ void Batch::write_layers(const fs::path& file, Graph& graph, Input_statistics& s
     }
     write_seconds += seconds_since(start);
     if (command_line_.stats) statistics.layers.emplace_back(id, layer_statistics(primitives.get(), outcome.reason));
-    kept[id] = std::move(primitives);
+    if (wants_pictures) kept[id] = std::move(primitives);
   }
   const auto start = Clock::now();
   write_pictures(

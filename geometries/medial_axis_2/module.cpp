@@ -9,25 +9,28 @@
 
 namespace mesecina {
 
-Primitive_set axis_primitives(const Medial_axis_2& axis, std::vector<int>& isolated) {
+std::vector<int> isolated_balls(const Medial_axis_2& axis) {
+  std::vector<bool> has_edge(axis.centers.size(), false);
+  for (const auto& [a, b] : axis.edges) has_edge[a] = has_edge[b] = true;
+  std::vector<int> isolated;
+  for (std::size_t b = 0; b < has_edge.size(); ++b)
+    if (!has_edge[b]) isolated.push_back(static_cast<int>(b));
+  return isolated;
+}
+
+Primitive_set axis_primitives(const Medial_axis_2& axis, const std::vector<int>& isolated) {
   Primitive_set set;
   set.vertices = lifted(axis.centers);
   set.segments = axis.edges;
-  set.is_complex = true;
-  std::vector<bool> has_edge(axis.centers.size(), false);
-  for (const auto& [a, b] : axis.edges) has_edge[a] = has_edge[b] = true;
-  isolated.clear();
-  for (std::size_t b = 0; b < has_edge.size(); ++b)
-    if (!has_edge[b]) isolated.push_back(static_cast<int>(b));
   set.points = isolated;
+  set.is_complex = true;
   return set;
 }
 
 Element_description describe_axis_element(Context& context, std::size_t element) {
   const auto axis = context.get(medial_axis_2_key);
   const auto triangulation = context.get(delaunay_2_key);
-  std::vector<int> isolated;
-  axis_primitives(*axis, isolated);
+  const std::vector<int> isolated = isolated_balls(*axis);
   Element_description description;
   const auto add_contact = [&](int sample) { add_point(description.dual, triangulation->points[sample]); };
   if (element < isolated.size()) {
@@ -60,7 +63,7 @@ Primitive_set axis_layer(Context& context) {
   const auto axis = context.get(medial_axis_2_key);
   const auto lambda = context.get(lambda_2_key);
   const auto angle = context.get(angle_2_key);
-  std::vector<int> isolated;
+  const std::vector<int> isolated = isolated_balls(*axis);
   Primitive_set set = axis_primitives(*axis, isolated);
   const auto add_values = [&](const char* name, const char* unit, const Importance_2& importance) {
     Values values{name, unit, {}};

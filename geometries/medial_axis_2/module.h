@@ -19,9 +19,11 @@ inline constexpr Key<Importance_2> angle_2_key{"angle-importance-2"};
 /// Facts of an edge of the axis and its contact points, for layers that show the axis. `element` counts isolated balls,
 /// then edges.
 Element_description describe_axis_element(Context& context, std::size_t element);
+/// The balls that no edge of the axis has, in order.
+std::vector<int> isolated_balls(const Medial_axis_2& axis);
 /// The whole axis: isolated balls as points, then the edges; shared vertices, one per ball. Values are to be added by
-/// the caller in that order; `isolated` receives the balls that became points.
-Primitive_set axis_primitives(const Medial_axis_2& axis, std::vector<int>& isolated);
+/// the caller in that order.
+Primitive_set axis_primitives(const Medial_axis_2& axis, const std::vector<int>& isolated);
 
 /// Medial axis from samples, and its importance by lambda and contact angle.
 void register_medial_axis_2(Registry& registry);

@@ -94,7 +94,7 @@ Primitive_set filtered_axis_layer(Context& context, const Measure& measure) {
   const auto axis = context.get(medial_axis_2_key);
   const auto plain = context.get(measure.importance);
   const auto monotone = context.get(measure.monotone);
-  std::vector<int> isolated;
+  const std::vector<int> isolated = isolated_balls(*axis);
   Primitive_set set = axis_primitives(*axis, isolated);
   const auto add_values = [&](std::string name, const Importance_2& importance) {
     Values values{std::move(name), measure.unit, {}};
