@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/inputs_2/module.h"
 
+#include <utility>
+
 #include "core/graph.h"
 #include "geometries/primitives_2.h"
 
@@ -35,6 +37,22 @@ Primitive_set outline_layer(Context& context) {
   return set;
 }
 
+Primitive_set disk_layer(Context& context) {
+  const auto disks = context.input(disks_input);
+  if (!disks || disks->empty()) throw Unavailable("there are no disks: draw, generate or open some");
+  Primitive_set set;
+  Values radius{"radius", "units of the input", {}};
+  set.vertices.reserve(disks->size());
+  set.balls.reserve(disks->size());
+  radius.data.reserve(disks->size());
+  for (const Disk_2& disk : *disks) {
+    add_disk(set, disk.center, disk.radius);
+    radius.data.push_back(disk.radius);
+  }
+  set.values.push_back(std::move(radius));
+  return set;
+}
+
 Primitive_set image_layer(Context& context) {
   const auto image = context.input(image_input);
   if (!image) throw Unavailable("there is no picture: open one (png, gif, bmp or jpg)");
@@ -47,6 +65,15 @@ Element_description describe_point(Context& context, std::size_t element) {
   const auto points = context.input(points_input);
   Element_description description;
   if (points && element < points->size()) description.facts.push_back(fact("position", (*points)[element]));
+  return description;
+}
+
+Element_description describe_disk(Context& context, std::size_t element) {
+  const auto disks = context.input(disks_input);
+  Element_description description;
+  if (!disks || element >= disks->size()) return description;
+  description.facts.push_back(fact("center", (*disks)[element].center));
+  description.facts.push_back(fact("radius", (*disks)[element].radius));
   return description;
 }
 
@@ -93,6 +120,18 @@ void register_inputs_2(Registry& registry) {
     layer.style.visible = true;
     layer.build = outline_layer;
     layer.describe = describe_ring;
+    registry.add_layer(std::move(layer));
+  }
+  {
+    Layer_spec layer;
+    layer.id = "disks";
+    layer.label = "Disks";
+    layer.stage = "Input";
+    layer.help = "The disks that were drawn, generated or read, in their order.";
+    layer.style = look({38, 84, 150});
+    layer.style.visible = true;
+    layer.build = disk_layer;
+    layer.describe = describe_disk;
     registry.add_layer(std::move(layer));
   }
   {

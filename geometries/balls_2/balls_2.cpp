@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/balls_2/balls_2.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/formats/number.h"
+#include "core/outcome.h"
+
+namespace mesecina {
+
+int Balls_2::common_contact(std::span<const int> disks) const {
+  if (!samples || disks.empty()) return -1;
+  for (const int sample : contacts_of(disks.front())) {
+    const auto touches = [&](int ball) {
+      const auto own = contacts_of(ball);
+      return std::ranges::find(own, sample) != own.end();
+    };
+    if (std::all_of(disks.begin() + 1, disks.end(), touches)) return sample;
+  }
+  return -1;
+}
+
+Balls_2 given_balls(std::span<const Disk_2> disks) {
+  Balls_2 balls;
+  balls.centers.reserve(disks.size());
+  balls.radii.reserve(disks.size());
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    const auto& [center, radius] = disks[i];
+    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(radius) || radius < 0)
+      throw Unavailable("disk " + std::to_string(i) + " has center (" + format_number(center.x) + ", " +
+                        format_number(center.y) + ") and radius " + format_number(radius) +
+                        ": numbers must be finite, the radius not negative");
+    balls.centers.push_back(center);
+    balls.radii.push_back(radius);
+  }
+  return balls;
+}
+
+namespace {
+
+/// Per triangle the least triangle with the same circle.
+std::vector<int> circle_classes(const Delaunay_2& triangulation, Progress& progress) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto& points = triangulation.points;
+  const auto at = [&](int i) { return Kernel::Point_2(points[i].x, points[i].y); };
+  std::vector<int> parent(triangulation.triangles.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int t) {
+    while (parent[t] != t) t = parent[t] = parent[parent[t]];
+    return t;
+  };
+  for (int t = 0; t < static_cast<int>(parent.size()); ++t) {
+    if (t % 8192 == 0) progress.check();
+    for (int i = 0; i < 3; ++i) {
+      const int u = triangulation.neighbors[t][i];
+      if (u < 0 || u > t) continue;
+      const auto& [a, b, c] = triangulation.triangles[t];
+      const int d = triangulation.triangles[u][triangulation.mirror_corner(t, i)];
+      if (CGAL::side_of_oriented_circle(at(a), at(b), at(c), at(d)) != CGAL::ON_ORIENTED_BOUNDARY) continue;
+      const int r = root(t);
+      const int s = root(u);
+      parent[std::max(r, s)] = std::min(r, s);
+    }
+  }
+  for (int t = 0; t < static_cast<int>(parent.size()); ++t) parent[t] = root(t);
+  return parent;
+}
+
+}  // namespace
+
+Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const Voronoi_2& voronoi,
+                                          std::span<const std::uint8_t> is_chosen, Progress& progress) {
+  Circumscribed_balls_2 result;
+  const int count = static_cast<int>(triangulation.triangles.size());
+  const std::vector<int> circle = circle_classes(triangulation, progress);
+  std::vector<int> ball_of_circle(count, -1);
+  Balls_2& balls = result.balls;
+  for (int t = 0; t < count; ++t) {
+    if (is_chosen[t] == 0 || ball_of_circle[circle[t]] >= 0) continue;
+    ball_of_circle[circle[t]] = static_cast<int>(result.triangles.size());
+    result.triangles.push_back(t);
+    balls.centers.push_back(voronoi.vertices[t]);
+    balls.radii.push_back(voronoi.radii[t]);
+  }
+  progress.check();
+  std::vector<std::vector<int>> further(result.triangles.size());
+  result.ball_of_triangle.assign(count, -1);
+  for (int t = 0; t < count; ++t) {
+    const int ball = ball_of_circle[circle[t]];
+    result.ball_of_triangle[t] = ball;
+    if (ball >= 0 && t != result.triangles[ball])
+      further[ball].insert(further[ball].end(), triangulation.triangles[t].begin(), triangulation.triangles[t].end());
+  }
+  balls.samples = std::make_shared<const std::vector<Point_2>>(triangulation.points);
+  balls.contact_offsets.push_back(0);
+  for (std::size_t b = 0; b < result.triangles.size(); ++b) {
+    auto& own = further[b];
+    const auto& corners = triangulation.triangles[result.triangles[b]];
+    own.insert(own.end(), corners.begin(), corners.end());
+    std::ranges::sort(own);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    balls.contacts.insert(balls.contacts.end(), own.begin(), own.end());
+    balls.contact_offsets.push_back(static_cast<int>(balls.contacts.size()));
+  }
+  return result;
+}
+
+Balls_2 subset(const Balls_2& balls, std::span<const int> kept) {
+  Balls_2 result;
+  result.samples = balls.samples;
+  if (balls.samples) result.contact_offsets.push_back(0);
+  for (const int ball : kept) {
+    result.centers.push_back(balls.centers[ball]);
+    result.radii.push_back(balls.radii[ball]);
+    if (!balls.samples) continue;
+    const auto contacts = balls.contacts_of(ball);
+    result.contacts.insert(result.contacts.end(), contacts.begin(), contacts.end());
+    result.contact_offsets.push_back(static_cast<int>(result.contacts.size()));
+  }
+  return result;
+}
+
+Balls_2 grown(const Balls_2& balls, double factor) {
+  if (factor == 1) return balls;
+  Balls_2 result;
+  result.centers = balls.centers;
+  result.radii.reserve(balls.size());
+  for (const double radius : balls.radii) result.radii.push_back(radius * factor);
+  return result;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/inputs.h"
+#include "core/point.h"
+#include "core/progress.h"
+#include "geometries/delaunay_2/delaunay_2.h"
+
+namespace mesecina {
+
+/// Disks whose union is looked at. A disk is closed; radius 0 is a point.
+///
+/// Disks that were given are what their numbers say. Disks that come from samples are, exactly, the circumscribed disks
+/// of their samples; `centers` and `radii` are then rounded. Which samples lie on which circle is known from the
+/// construction, and every decision about the disks uses it: circles through one sample meet there exactly.
+struct Balls_2 {
+  std::vector<Point_2> centers;
+  std::vector<double> radii;
+  /// Null for disks that were given. Else the samples, of which every disk has at least three on its circle.
+  std::shared_ptr<const std::vector<Point_2>> samples;
+  std::vector<int> contact_offsets;  ///< size() + 1 offsets into `contacts`; empty without samples
+  std::vector<int> contacts;         ///< per disk all samples on its circle, ascending
+
+  std::size_t size() const { return centers.size(); }
+  bool is_circumscribed() const { return samples != nullptr; }
+  /// Empty for disks that were given.
+  std::span<const int> contacts_of(int ball) const {
+    if (!samples) return {};
+    return std::span(contacts).subspan(contact_offsets[ball], contact_offsets[ball + 1] - contact_offsets[ball]);
+  }
+  /// The least sample that lies on the circles of all these disks; -1 when there is none (known).
+  int common_contact(std::span<const int> disks) const;
+};
+
+/// The disks with these centers and radii. Throws Unavailable when a number is not finite or a radius is negative.
+Balls_2 given_balls(std::span<const Disk_2> disks);
+
+/// The circumscribed disks of Delaunay triangles. Triangles with one circle (decided exactly) give one disk, with all
+/// their corners as contacts.
+struct Circumscribed_balls_2 {
+  Balls_2 balls;
+  std::vector<int> triangles;         ///< per disk the least of the chosen triangles that it is circumscribed to
+  std::vector<int> ball_of_triangle;  ///< per Delaunay triangle; -1 for those without a disk
+};
+/// Disks of the triangles t with is_chosen[t], in the order of their least triangle. A disk is chosen when one of its
+/// triangles is. O(n).
+Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const Voronoi_2& voronoi,
+                                          std::span<const std::uint8_t> is_chosen, Progress& progress);
+
+/// The disks `kept`, in that order, with what is known of them.
+Balls_2 subset(const Balls_2& balls, std::span<const int> kept);
+
+/// The same centers with radii times `factor` > 0; rounded, so nothing is known of contacts any more (the disks
+/// themselves if the factor is 1).
+Balls_2 grown(const Balls_2& balls, double factor);
+
+}  // namespace mesecina

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <vector>
+
+#include "geometries/balls_2/balls_2.h"
+
+namespace mesecina {
+
+/// Exact decisions about disks, named by their index. Intervals decide what they can, rationals the rest; that circles
+/// of circumscribed disks meet in a common sample is never computed. The weight of a disk is its squared radius.
+///
+/// Not thread-safe. All members but the constructor require that rounding is upwards, see `Upward_rounding`.
+class Power_predicates {
+ public:
+  using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
+
+  /// The disks must outlive this.
+  explicit Power_predicates(const Balls_2& balls);
+
+  CGAL::Comparison_result compare_x(int a, int b) const;
+  CGAL::Comparison_result compare_y(int a, int b) const;
+  /// Of the centers.
+  CGAL::Orientation orientation(int a, int b, int c) const;
+  /// Of two centers and a point.
+  CGAL::Orientation orientation(int a, int b, const Point_2& p) const;
+
+  /// For counterclockwise centers a, b, c: positive iff the power distance between d and the circle orthogonal to a, b
+  /// and c is negative, so that d belongs into a regular triangulation where a, b, c is a triangle; zero iff the four
+  /// have one power vertex.
+  CGAL::Oriented_side power_side(int a, int b, int c, int d) const;
+  /// The same on a line: a and b have different centers, that of d is on their line.
+  CGAL::Oriented_side power_side(int a, int b, int d) const;
+  /// The same for one center: positive iff d is the larger disk.
+  CGAL::Oriented_side power_side(int a, int d) const;
+  CGAL::Comparison_result compare_power_distance(int at, int a, int b) const;
+
+  /// Sign of (squared radius of the smallest circle orthogonal to the disks) - alpha.
+  CGAL::Sign size_sign(int a, double alpha) const;
+  CGAL::Sign size_sign(int a, int b, double alpha) const;
+  CGAL::Sign size_sign(int a, int b, int c, double alpha) const;
+  /// Sign of the power distance between d and the smallest circle orthogonal to a (and b): negative iff d is in
+  /// conflict with it.
+  CGAL::Sign conflict_sign(int a, int d) const;
+  CGAL::Sign conflict_sign(int a, int b, int d) const;
+
+ private:
+  using Interval = CGAL::Interval_nt<false>;
+  using Rational = CGAL::Exact_rational;
+  template <class Number>
+  struct Lifted {
+    Number x;
+    Number y;
+    Number w;  ///< weight
+  };
+  struct Cached {
+    int ball = -1;
+    Lifted<Rational> value;
+  };
+
+  const Lifted<Rational>& exact(int ball) const;
+  Lifted<Rational> compute_exact(int ball) const;
+  bool have_common_contact(std::initializer_list<int> disks) const;
+  /// `function` applied to the disks as intervals or, if that is not certain, as rationals.
+  template <class Function>
+  auto decide(const Function& function, std::initializer_list<int> disks) const;
+
+  const Balls_2& balls_;
+  std::vector<Lifted<Interval>> intervals_;
+  mutable std::vector<Cached> cache_;
+};
+
+}  // namespace mesecina

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/regular_2/regular_2.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Regular_triangulation_face_base_2.h>
+#include <CGAL/Regular_triangulation_vertex_base_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "core/outcome.h"
+#include "geometries/parallel.h"
+#include "geometries/regular_2/power_predicates.h"
+
+namespace mesecina {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// A disk as CGAL's triangulation sees it: a number, and about where it is.
+struct Site {
+  int ball = -1;
+  double approximate_x = 0;
+  double approximate_y = 0;
+  double x() const { return approximate_x; }
+  double y() const { return approximate_y; }
+};
+
+/// Traits of CGAL's regular triangulation that hand every decision to Power_predicates.
+class Ball_traits {
+ public:
+  using FT = double;
+  using Point_2 = Site;
+  using Weighted_point_2 = Site;
+  using Segment_2 = Kernel::Segment_2;
+  using Line_2 = Kernel::Line_2;
+  using Ray_2 = Kernel::Ray_2;
+  using Triangle_2 = Kernel::Triangle_2;
+
+  struct Construct_point_2 {
+    using result_type = const Site&;
+    const Site& operator()(const Site& site) const { return site; }
+  };
+  struct Construct_weighted_point_2 {
+    using result_type = const Site&;
+    const Site& operator()(const Site& site) const { return site; }
+  };
+  struct Predicate {
+    const Power_predicates* predicates = nullptr;
+  };
+  struct Compare_x_2 : Predicate {
+    CGAL::Comparison_result operator()(const Site& p, const Site& q) const {
+      return predicates->compare_x(p.ball, q.ball);
+    }
+  };
+  struct Compare_y_2 : Predicate {
+    CGAL::Comparison_result operator()(const Site& p, const Site& q) const {
+      return predicates->compare_y(p.ball, q.ball);
+    }
+  };
+  struct Orientation_2 : Predicate {
+    CGAL::Orientation operator()(const Site& p, const Site& q, const Site& r) const {
+      return predicates->orientation(p.ball, q.ball, r.ball);
+    }
+  };
+  struct Power_side_of_oriented_power_circle_2 : Predicate {
+    CGAL::Oriented_side operator()(const Site& p, const Site& q, const Site& r, const Site& t) const {
+      return predicates->power_side(p.ball, q.ball, r.ball, t.ball);
+    }
+    CGAL::Oriented_side operator()(const Site& p, const Site& q, const Site& t) const {
+      return predicates->power_side(p.ball, q.ball, t.ball);
+    }
+    CGAL::Oriented_side operator()(const Site& p, const Site& t) const {
+      return predicates->power_side(p.ball, t.ball);
+    }
+  };
+  struct Compare_power_distance_2 : Predicate {
+    CGAL::Comparison_result operator()(const Site& at, const Site& p, const Site& q) const {
+      return predicates->compare_power_distance(at.ball, p.ball, q.ball);
+    }
+  };
+
+  Ball_traits() = default;
+  explicit Ball_traits(const Power_predicates& predicates) : predicates_(&predicates) {}
+  Construct_point_2 construct_point_2_object() const { return {}; }
+  Construct_weighted_point_2 construct_weighted_point_2_object() const { return {}; }
+  Compare_x_2 compare_x_2_object() const { return {predicates_}; }
+  Compare_y_2 compare_y_2_object() const { return {predicates_}; }
+  Orientation_2 orientation_2_object() const { return {predicates_}; }
+  Power_side_of_oriented_power_circle_2 power_side_of_oriented_power_circle_2_object() const { return {predicates_}; }
+  Compare_power_distance_2 compare_power_distance_2_object() const { return {predicates_}; }
+
+ private:
+  const Power_predicates* predicates_ = nullptr;
+};
+
+struct Array_index {
+  int value = -1;
+};
+using Vertex_base = CGAL::Regular_triangulation_vertex_base_2<Ball_traits>;
+using Face_base = CGAL::Triangulation_face_base_with_info_2<Array_index, Ball_traits,
+                                                            CGAL::Regular_triangulation_face_base_2<Ball_traits>>;
+using Triangulation =
+    CGAL::Regular_triangulation_2<Ball_traits, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
+
+/// For CGAL::spatial_sort, which has no other place to ask whether to stop.
+struct Sort_traits {
+  using Point_2 = Site;
+  struct Less_x_2 {
+    const Progress* progress;
+    bool operator()(const Site& p, const Site& q) const {
+      progress->check();
+      return p.approximate_x < q.approximate_x;
+    }
+  };
+  struct Less_y_2 {
+    const Progress* progress;
+    bool operator()(const Site& p, const Site& q) const {
+      progress->check();
+      return p.approximate_y < q.approximate_y;
+    }
+  };
+  const Progress* progress;
+  Less_x_2 less_x_2_object() const { return {progress}; }
+  Less_y_2 less_y_2_object() const { return {progress}; }
+};
+
+/// The disks that take part, in space-filling order behind three whose centers are not on a line; none if there are no
+/// such three.
+std::vector<Site> insertion_order(const Balls_2& balls, const std::vector<std::uint8_t>& is_left_out,
+                                  const Power_predicates& predicates, const Progress& progress) {
+  std::vector<Site> order;
+  order.reserve(balls.size());
+  for (std::size_t b = 0; b < balls.size(); ++b)
+    if (is_left_out[b] == 0) order.push_back({static_cast<int>(b), balls.centers[b].x, balls.centers[b].y});
+  const auto are_at_one_place = [&](const Site& p, const Site& q) {
+    return predicates.compare_x(p.ball, q.ball) == CGAL::EQUAL && predicates.compare_y(p.ball, q.ball) == CGAL::EQUAL;
+  };
+  std::size_t second = 1;
+  while (second < order.size() && are_at_one_place(order[0], order[second])) ++second;
+  std::size_t third = second + 1;
+  while (third < order.size() &&
+         predicates.orientation(order[0].ball, order[second].ball, order[third].ball) == CGAL::COLLINEAR) {
+    progress.check();
+    ++third;
+  }
+  if (third >= order.size()) return {};
+  std::swap(order[1], order[second]);
+  std::swap(order[2], order[third]);
+  CGAL::spatial_sort(order.begin() + 3, order.end(), Sort_traits{&progress});
+  return order;
+}
+
+/// All centers on a line: the lower envelope of the power distances along it.
+void connect_along_line(Regular_2& regular, const Power_predicates& predicates, const Progress& progress) {
+  const Balls_2& balls = *regular.balls;
+  std::vector<int> order(balls.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, [&](int a, int b) {
+    progress.check();
+    if (const auto x = predicates.compare_x(a, b); x != CGAL::EQUAL) return x == CGAL::SMALLER;
+    if (const auto y = predicates.compare_y(a, b); y != CGAL::EQUAL) return y == CGAL::SMALLER;
+    const auto size = predicates.power_side(a, b);
+    return size != CGAL::ON_ORIENTED_BOUNDARY ? size == CGAL::ON_NEGATIVE_SIDE : a < b;
+  });
+  auto& line = regular.line;
+  for (const int b : order) {
+    const bool repeats_center = !line.empty() && predicates.compare_x(line.back(), b) == CGAL::EQUAL &&
+                                predicates.compare_y(line.back(), b) == CGAL::EQUAL;
+    // Of one center the largest disk came first.
+    if (repeats_center) continue;
+    while (line.size() >= 2 && predicates.power_side(line[line.size() - 2], b, line.back()) != CGAL::ON_POSITIVE_SIDE)
+      line.pop_back();
+    line.push_back(b);
+  }
+  regular.is_hidden.assign(balls.size(), 1);
+  for (const int b : line) regular.is_hidden[b] = 0;
+  regular.vertex_count = line.size();
+  regular.dimension = std::min(1, static_cast<int>(line.size()) - 1);
+}
+
+Triangulation triangulate(const std::vector<Site>& order, const Power_predicates& predicates, Progress& progress) {
+  Triangulation triangulation{Ball_traits(predicates)};
+  Triangulation::Face_handle hint;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i % 4096 == 0) progress.report(0.9 * static_cast<double>(i) / static_cast<double>(order.size()));
+    Triangulation::Locate_type type{};
+    int place = 0;
+    const auto face = triangulation.locate(order[i], type, place, hint);
+    // CGAL would keep hidden disks in lists and hand them on at each flip.
+    if (type == Triangulation::FACE && triangulation.dimension() == 2 &&
+        triangulation.power_test(face, order[i], true) == CGAL::ON_NEGATIVE_SIDE) {
+      hint = face;
+      continue;
+    }
+    const auto vertex = triangulation.insert(order[i], type, face, place);
+    if (type == Triangulation::VERTEX && order[i].ball < vertex->point().ball &&
+        predicates.power_side(vertex->point().ball, order[i].ball) == CGAL::ON_ORIENTED_BOUNDARY)
+      vertex->point().ball = order[i].ball;
+    hint = vertex->is_hidden() ? face : vertex->face();
+  }
+  return triangulation;
+}
+
+void fill_arrays(Regular_2& regular, Triangulation& triangulation, const Progress& progress) {
+  int count = 0;
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+    face->info().value = triangulation.is_infinite(face) ? -1 : count++;
+  progress.check();
+  regular.triangles.resize(count);
+  regular.neighbors.resize(count);
+  regular.is_hidden.assign(regular.balls->size(), 1);
+  regular.vertex_count = 0;
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face) {
+    const int t = face->info().value;
+    for (int i = 0; i < 3; ++i) {
+      const int ball = face->vertex(i)->point().ball;
+      regular.triangles[t][i] = ball;
+      regular.neighbors[t][i] = face->neighbor(i)->info().value;
+      if (regular.is_hidden[ball] != 0) {
+        regular.is_hidden[ball] = 0;
+        ++regular.vertex_count;
+      }
+    }
+  }
+  regular.dimension = 2;
+}
+
+/// Vertices whose power cell has no area: all their power vertices coincide in one or two points, or in one where the
+/// cell is a ray.
+std::vector<int> flat_vertices(const Regular_2& regular, const Power_predicates& predicates, const Progress& progress) {
+  const int count = static_cast<int>(regular.triangles.size());
+  std::vector<int> power_vertex(count);
+  std::iota(power_vertex.begin(), power_vertex.end(), 0);
+  const auto root = [&](int t) {
+    while (power_vertex[t] != t) t = power_vertex[t] = power_vertex[power_vertex[t]];
+    return t;
+  };
+  bool has_any = false;
+  for (int t = 0; t < count; ++t) {
+    if (t % 8192 == 0) progress.check();
+    for (int i = 0; i < 3; ++i) {
+      const int u = regular.neighbors[t][i];
+      if (u < 0 || u > t) continue;
+      const auto& [a, b, c] = regular.triangles[t];
+      const int d = regular.triangles[u][regular.mirror_corner(t, i)];
+      if (predicates.power_side(a, b, c, d) != CGAL::ON_ORIENTED_BOUNDARY) continue;
+      power_vertex[root(t)] = root(u);
+      has_any = true;
+    }
+  }
+  if (!has_any) return {};
+
+  /// Per disk up to two of its power vertices, and whether there are more.
+  struct Cell {
+    std::array<int, 2> corners{-1, -1};
+    bool has_more = false;
+    bool is_on_hull = false;
+    std::array<int, 2> hull_neighbors{-1, -1};
+  };
+  std::vector<Cell> cells(regular.balls->size());
+  for (int t = 0; t < count; ++t) {
+    const int corner = root(t);
+    for (int i = 0; i < 3; ++i) {
+      Cell& cell = cells[regular.triangles[t][i]];
+      if (cell.corners[0] == -1) {
+        cell.corners[0] = corner;
+      } else if (cell.corners[0] != corner) {
+        if (cell.corners[1] == -1) {
+          cell.corners[1] = corner;
+        } else if (cell.corners[1] != corner) {
+          cell.has_more = true;
+        }
+      }
+      if (regular.neighbors[t][i] >= 0) continue;
+      const auto [p, q] = regular.edge(t, i);
+      cells[p].is_on_hull = cells[q].is_on_hull = true;
+      cells[p].hull_neighbors[0] = q;
+      cells[q].hull_neighbors[1] = p;
+    }
+  }
+  std::vector<int> flat;
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    const Cell& cell = cells[b];
+    if (regular.is_hidden[b] != 0 || cell.has_more) continue;
+    if (!cell.is_on_hull) {
+      flat.push_back(static_cast<int>(b));
+    } else if (cell.corners[1] == -1 && predicates.orientation(cell.hull_neighbors[0], static_cast<int>(b),
+                                                               cell.hull_neighbors[1]) == CGAL::COLLINEAR) {
+      flat.push_back(static_cast<int>(b));
+    }
+  }
+  return flat;
+}
+
+}  // namespace
+
+Regular_2 regular_triangulation(std::shared_ptr<const Balls_2> balls, Progress& progress) {
+  Regular_2 regular;
+  regular.balls = std::move(balls);
+  const Power_predicates predicates(*regular.balls);
+  const Power_predicates::Upward_rounding rounding;
+  std::vector<std::uint8_t> is_left_out(regular.balls->size(), 0);
+  while (true) {
+    const std::vector<Site> order = insertion_order(*regular.balls, is_left_out, predicates, progress);
+    if (order.empty()) {
+      connect_along_line(regular, predicates, progress);
+      return regular;
+    }
+    Triangulation triangulation = triangulate(order, predicates, progress);
+    fill_arrays(regular, triangulation, progress);
+    // Every circumscribed disk keeps the triangles that it is circumscribed to in its cell.
+    if (regular.balls->is_circumscribed()) return regular;
+    const std::vector<int> flat = flat_vertices(regular, predicates, progress);
+    if (flat.empty()) return regular;
+    for (const int ball : flat) is_left_out[ball] = 1;
+  }
+}
+
+Power_vertices_2 power_vertices(const Regular_2& triangulation, Progress& progress) {
+  Power_vertices_2 result;
+  const std::size_t count = triangulation.triangles.size();
+  result.vertices.resize(count);
+  result.powers.resize(count);
+  const Balls_2& balls = *triangulation.balls;
+  parallel_for(count, progress, [&](std::size_t t) {
+    // From the least disk on, so that rounding does not depend on the order of the corners.
+    const auto& corners = triangulation.triangles[t];
+    if (const int sample = balls.common_contact(corners); sample >= 0) {
+      result.vertices[t] = (*balls.samples)[sample];
+      result.powers[t] = 0;
+      return;
+    }
+    const auto least = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
+    const int a = corners[least];
+    const int b = corners[(least + 1) % 3];
+    const int c = corners[(least + 2) % 3];
+    const Point_2& p = balls.centers[a];
+    const double bx = balls.centers[b].x - p.x;
+    const double by = balls.centers[b].y - p.y;
+    const double cx = balls.centers[c].x - p.x;
+    const double cy = balls.centers[c].y - p.y;
+    const double ra = balls.radii[a];
+    const auto lift = [ra](double x, double y, double r) { return x * x + y * y - (r - ra) * (r + ra); };
+    const double b2 = lift(bx, by, balls.radii[b]);
+    const double c2 = lift(cx, cy, balls.radii[c]);
+    const double twice_cross = 2 * (bx * cy - by * cx);
+    constexpr double smallest_trusted_part = 1e-10;
+    double zx = (cy * b2 - by * c2) / twice_cross;
+    double zy = (bx * c2 - cx * b2) / twice_cross;
+    if (!(std::abs(twice_cross) > smallest_trusted_part * (std::abs(bx * cy) + std::abs(by * cx)))) {
+      using Rational = CGAL::Exact_rational;
+      const Rational ax(p.x);
+      const Rational ay(p.y);
+      const Rational ebx = Rational(balls.centers[b].x) - ax;
+      const Rational eby = Rational(balls.centers[b].y) - ay;
+      const Rational ecx = Rational(balls.centers[c].x) - ax;
+      const Rational ecy = Rational(balls.centers[c].y) - ay;
+      const Rational era(ra);
+      const Rational erb(balls.radii[b]);
+      const Rational erc(balls.radii[c]);
+      const Rational eb2 = ebx * ebx + eby * eby - erb * erb + era * era;
+      const Rational ec2 = ecx * ecx + ecy * ecy - erc * erc + era * era;
+      const Rational cross = 2 * (ebx * ecy - eby * ecx);
+      if (cross != 0) {
+        zx = CGAL::to_double((ecy * eb2 - eby * ec2) / cross);
+        zy = CGAL::to_double((ebx * ec2 - ecx * eb2) / cross);
+      }
+    }
+    result.vertices[t] = {p.x + zx, p.y + zy};
+    result.powers[t] = zx * zx + zy * zy - ra * ra;
+  });
+  return result;
+}
+
+}  // namespace mesecina
