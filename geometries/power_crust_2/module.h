@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/registry.h"
+#include "geometries/power_crust_2/power_crust_2.h"
+
+namespace mesecina {
+
+inline constexpr Key<Polar_balls_2> polar_balls_2_key{"polar-balls-2"};
+inline constexpr Key<Power_vertices_2> polar_power_vertices_2_key{"polar-power-vertices-2"};
+
+/// Power crust: poles of the samples, their sides, and the curve and shape between them.
+void register_power_crust_2(Registry& registry);
+
+}  // namespace mesecina
