@@ -136,20 +136,27 @@ CGAL::Orientation Power_predicates::orientation(int a, int b, const Point_2& poi
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int c, int d) const {
   if (have_common_contact({a, b, c, d})) return CGAL::ON_ORIENTED_BOUNDARY;
-  return decide(
+  return CGAL::enum_cast<CGAL::Oriented_side>(decide(
       [](const auto& p, const auto& q, const auto& r, const auto& t) {
-        return CGAL::power_side_of_oriented_power_circleC2(p.x, p.y, p.w, q.x, q.y, q.w, r.x, r.y, r.w, t.x, t.y, t.w);
+        using Number = std::decay_t<decltype(p.x)>;
+        const auto lift = [&t](const auto& of, const Number& x, const Number& y) -> Number {
+          return CGAL_NTS square(x) + CGAL_NTS square(y) - of.w + t.w;
+        };
+        const Number px = p.x - t.x;
+        const Number py = p.y - t.y;
+        const Number qx = q.x - t.x;
+        const Number qy = q.y - t.y;
+        const Number rx = r.x - t.x;
+        const Number ry = r.y - t.y;
+        return CGAL::sign_of_determinant<Number>(px, py, lift(p, px, py), qx, qy, lift(q, qx, qy), rx, ry,
+                                                 lift(r, rx, ry));
       },
-      {a, b, c, d});
+      {a, b, c, d}));
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int d) const {
   if (have_common_contact({a, b, d})) return CGAL::ON_ORIENTED_BOUNDARY;
-  return decide(
-      [](const auto& p, const auto& q, const auto& t) {
-        return CGAL::power_side_of_oriented_power_circleC2(p.x, p.y, p.w, q.x, q.y, q.w, t.x, t.y, t.w);
-      },
-      {a, b, d});
+  return CGAL::enum_cast<CGAL::Oriented_side>(-conflict_sign(a, b, d));
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int d) const {

@@ -26,11 +26,14 @@ struct Union_boundary_2 {
   std::vector<Point_2> vertices;
   std::vector<int> samples;         ///< per vertex the sample that it is; -1 where none (known)
   std::vector<int> source_offsets;  ///< vertices.size() + 1 offsets into `sources`
-  std::vector<int> sources;         ///< per vertex the disks whose circles pass through it, ascending
+  std::vector<int> sources;         ///< per vertex the disks, not hidden, whose circles pass through it, ascending
   /// Per edge of the dual complex its vertices of the union, on the left and on the right of a -> b; -1 where there is
   /// none. Both the same where two circles touch.
   std::vector<std::array<int, 2>> vertices_of_edge;
   std::vector<Boundary_arc> arcs;  ///< those of one boundary curve follow each other
+  /// Per disk a disk that covers it although it has a vertex in the dual complex: it touches that one from inside. -1
+  /// for all others.
+  std::vector<int> covered_by;
 
   std::span<const int> sources_of(int vertex) const {
     return std::span(sources).subspan(source_offsets[vertex], source_offsets[vertex + 1] - source_offsets[vertex]);

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/union_2/union_boundary_2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "geometries/regular_2/power_predicates.h"
+
+namespace mesecina {
+
+namespace {
+
+/// An end of an exposed arc on the circle of some disk.
+struct Arc_end {
+  int edge = -1;  ///< of the dual complex
+  int vertex = -1;
+  bool starts = false;  ///< an arc starts here, else one ends
+};
+
+class Boundary_builder {
+ public:
+  Boundary_builder(Union_boundary_2& boundary, Progress& progress)
+      : boundary_(boundary),
+        dual_(*boundary.dual),
+        regular_(*dual_.regular),
+        balls_(*regular_.balls),
+        predicates_(balls_),
+        progress_(progress) {}
+
+  void build() {
+    set_radii();
+    {
+      const Power_predicates::Upward_rounding rounding;
+      join_flat_triangles();
+      name_vertices();
+      find_sources();
+      find_arcs();
+    }
+    order_arcs();
+    place_vertices();
+  }
+
+ private:
+  void set_radii() {
+    boundary_.radii = balls_.radii;
+    if (dual_.alpha == 0) return;
+    for (double& radius : boundary_.radii) radius = std::sqrt(std::max(0.0, radius * radius + dual_.alpha));
+  }
+
+  int root(int triangle) {
+    while (flat_class_[triangle] != triangle) triangle = flat_class_[triangle] = flat_class_[flat_class_[triangle]];
+    return triangle;
+  }
+
+  /// Flat triangles with one power vertex: circles that meet in one point.
+  void join_flat_triangles() {
+    flat_class_.resize(regular_.triangles.size());
+    std::iota(flat_class_.begin(), flat_class_.end(), 0);
+    for (const Dual_edge& edge : dual_.edges) {
+      if (edge.kind != Dual_kind::interior || dual_.is_flat[edge.left] == 0 || dual_.is_flat[edge.right] == 0) continue;
+      const auto& [a, b, c] = regular_.triangles[edge.left];
+      if (predicates_.power_side(a, b, c, opposite(edge.right, edge)) != CGAL::ON_ORIENTED_BOUNDARY) continue;
+      const int r = root(edge.left);
+      const int s = root(edge.right);
+      flat_class_[std::max(r, s)] = std::min(r, s);
+    }
+  }
+
+  int opposite(int triangle, const Dual_edge& edge) const {
+    for (const int corner : regular_.triangles[triangle])
+      if (corner != edge.a && corner != edge.b) return corner;
+    throw std::logic_error("a triangle has no corner opposite to its edge");
+  }
+
+  int add_vertex(int edge, bool on_left, int flat_class) {
+    const int vertex = static_cast<int>(origins_.size());
+    origins_.push_back({edge, on_left, flat_class});
+    boundary_.samples.push_back(-1);
+    return vertex;
+  }
+
+  int vertex_of_sample(int sample, int edge, bool on_left) {
+    const auto [place, is_new] = vertex_of_sample_.try_emplace(sample, static_cast<int>(origins_.size()));
+    if (is_new) {
+      add_vertex(edge, on_left, -1);
+      boundary_.samples.back() = sample;
+    }
+    return place->second;
+  }
+
+  int vertex_of_flat_class(int triangle, int edge, bool on_left) {
+    const int flat_class = root(triangle);
+    if (dual_.alpha == 0) {
+      if (const int sample = balls_.common_contact(regular_.triangles[flat_class]); sample >= 0)
+        return vertex_of_sample(sample, edge, on_left);
+    }
+    const auto [place, is_new] = vertex_of_class_.try_emplace(flat_class, static_cast<int>(origins_.size()));
+    if (is_new) add_vertex(edge, on_left, flat_class);
+    return place->second;
+  }
+
+  /// Where the circles of the ends of an edge meet on one side of it.
+  int crossing(int e, bool on_left) {
+    const Dual_edge& edge = dual_.edges[e];
+    if (dual_.alpha == 0 && balls_.is_circumscribed()) {
+      for (const int sample : balls_.contacts_of(edge.a)) {
+        if (std::ranges::find(balls_.contacts_of(edge.b), sample) == balls_.contacts_of(edge.b).end()) continue;
+        const auto side = predicates_.orientation(edge.a, edge.b, (*balls_.samples)[sample]);
+        if (side == CGAL::COLLINEAR || (side == CGAL::LEFT_TURN) == on_left)
+          return vertex_of_sample(sample, e, on_left);
+      }
+    }
+    return add_vertex(e, on_left, -1);
+  }
+
+  void name_vertices() {
+    auto& of_edge = boundary_.vertices_of_edge;
+    of_edge.assign(dual_.edges.size(), {-1, -1});
+    boundary_.covered_by.assign(balls_.size(), -1);
+    for (int e = 0; e < static_cast<int>(dual_.edges.size()); ++e) {
+      if (e % 4096 == 0) progress_.check();
+      const Dual_edge& edge = dual_.edges[e];
+      if (edge.kind == Dual_kind::singular) {
+        of_edge[e][0] = crossing(e, true);
+        if (predicates_.size_sign(edge.a, edge.b, dual_.alpha) != CGAL::ZERO) {
+          of_edge[e][1] = crossing(e, false);
+          continue;
+        }
+        of_edge[e][1] = of_edge[e][0];
+        if (predicates_.conflict_sign(edge.a, edge.b) != CGAL::POSITIVE) boundary_.covered_by[edge.a] = edge.b;
+        if (predicates_.conflict_sign(edge.b, edge.a) != CGAL::POSITIVE) boundary_.covered_by[edge.b] = edge.a;
+      } else if (edge.kind == Dual_kind::regular) {
+        const bool inside_is_left = edge.left >= 0 && dual_.has_triangle[edge.left] != 0;
+        const int inside = inside_is_left ? edge.left : edge.right;
+        // The power vertex of a flat triangle is on its boundary. It lies beyond the edge iff the third disk is in
+        // conflict with the smallest circle orthogonal to the edge, and on the edge itself iff the two touch.
+        const bool ends_in_flat_vertex =
+            dual_.is_flat[inside] != 0 &&
+            predicates_.conflict_sign(edge.a, edge.b, opposite(inside, edge)) != CGAL::POSITIVE;
+        of_edge[e][inside_is_left ? 1 : 0] =
+            ends_in_flat_vertex ? vertex_of_flat_class(inside, e, !inside_is_left) : crossing(e, !inside_is_left);
+      }
+    }
+  }
+
+  void find_sources() {
+    std::vector<std::vector<int>> sources(origins_.size());
+    for (std::size_t v = 0; v < origins_.size(); ++v) {
+      const Dual_edge& edge = dual_.edges[origins_[v].edge];
+      if (boundary_.samples[v] < 0 && origins_[v].flat_class < 0) sources[v] = {edge.a, edge.b};
+    }
+    if (!vertex_of_class_.empty()) {
+      for (std::size_t t = 0; t < regular_.triangles.size(); ++t) {
+        if (dual_.is_flat[t] == 0) continue;
+        const auto place = vertex_of_class_.find(root(static_cast<int>(t)));
+        if (place == vertex_of_class_.end()) continue;
+        auto& own = sources[place->second];
+        own.insert(own.end(), regular_.triangles[t].begin(), regular_.triangles[t].end());
+      }
+    }
+    if (!vertex_of_sample_.empty()) {
+      for (int b = 0; b < static_cast<int>(balls_.size()); ++b) {
+        for (const int sample : balls_.contacts_of(b)) {
+          const auto place = vertex_of_sample_.find(sample);
+          if (place != vertex_of_sample_.end()) sources[place->second].push_back(b);
+        }
+      }
+    }
+    boundary_.source_offsets.push_back(0);
+    for (auto& own : sources) {
+      std::ranges::sort(own);
+      own.erase(std::unique(own.begin(), own.end()), own.end());
+      boundary_.sources.insert(boundary_.sources.end(), own.begin(), own.end());
+      boundary_.source_offsets.push_back(static_cast<int>(boundary_.sources.size()));
+    }
+  }
+
+  /// Calls visit(e) for the edges of the complex at a disk, counterclockwise around its center.
+  template <class Visit>
+  void visit_edges_around(int ball, int first_triangle, const Visit& visit) const {
+    int triangle = first_triangle;
+    for (int corner = regular_.corner_of(triangle, ball);;) {
+      const int previous = regular_.neighbors[triangle][(corner + 2) % 3];
+      if (previous < 0) {
+        visit(edge_at(triangle, (corner + 2) % 3));
+        break;
+      }
+      triangle = previous;
+      corner = regular_.corner_of(triangle, ball);
+      if (triangle == first_triangle) break;
+    }
+    const int start = triangle;
+    do {
+      const int corner = regular_.corner_of(triangle, ball);
+      visit(edge_at(triangle, (corner + 1) % 3));
+      triangle = regular_.neighbors[triangle][(corner + 1) % 3];
+    } while (triangle >= 0 && triangle != start);
+  }
+
+  int edge_at(int triangle, int corner) const {
+    return edge_of_corner_[3 * static_cast<std::size_t>(triangle) + corner];
+  }
+
+  void find_arcs() {
+    edge_of_corner_.assign(3 * regular_.triangles.size(), -1);
+    for (int e = 0; e < static_cast<int>(dual_.edges.size()); ++e) {
+      const Dual_edge& edge = dual_.edges[e];
+      for (const int t : {edge.left, edge.right}) {
+        if (t < 0) continue;
+        for (int i = 0; i < 3; ++i)
+          if (const int corner = regular_.triangles[t][i]; corner != edge.a && corner != edge.b)
+            edge_of_corner_[3 * static_cast<std::size_t>(t) + i] = e;
+      }
+    }
+    std::vector<Arc_end> ends;
+    const auto add_ends = [&](int ball, int e) {
+      if (e < 0 || dual_.edges[e].kind == Dual_kind::interior) return;
+      const bool is_first = dual_.edges[e].a == ball;
+      const int right = boundary_.vertices_of_edge[e][is_first ? 1 : 0];
+      const int left = boundary_.vertices_of_edge[e][is_first ? 0 : 1];
+      // The circle runs counterclockwise into the neighbour's cell on the right of the edge and out of it on the left.
+      if (right >= 0) ends.push_back({e, right, false});
+      if (left >= 0) ends.push_back({e, left, true});
+    };
+
+    if (regular_.dimension < 2) {
+      std::vector<std::array<int, 2>> edges_of_ball(balls_.size(), {-1, -1});
+      for (int e = 0; e < static_cast<int>(dual_.edges.size()); ++e) {
+        edges_of_ball[dual_.edges[e].a][1] = e;
+        edges_of_ball[dual_.edges[e].b][0] = e;
+      }
+      for (const int ball : regular_.line) {
+        ends.clear();
+        for (const int e : edges_of_ball[ball]) add_ends(ball, e);
+        add_arcs(ball, ends);
+      }
+      return;
+    }
+    std::vector<int> triangle_of_ball(balls_.size(), -1);
+    for (std::size_t t = 0; t < regular_.triangles.size(); ++t)
+      for (const int ball : regular_.triangles[t]) triangle_of_ball[ball] = static_cast<int>(t);
+    for (int ball = 0; ball < static_cast<int>(balls_.size()); ++ball) {
+      if (ball % 4096 == 0) progress_.check();
+      const Dual_kind kind = dual_.vertices[ball];
+      if (kind == Dual_kind::outside || kind == Dual_kind::interior) continue;
+      ends.clear();
+      if (kind != Dual_kind::singular)
+        visit_edges_around(ball, triangle_of_ball[ball], [&](int e) { add_ends(ball, e); });
+      add_arcs(ball, ends);
+    }
+  }
+
+  /// From the ends of the exposed arcs of a disk, in their order around it.
+  void add_arcs(int ball, const std::vector<Arc_end>& ends) {
+    if (ends.empty()) {
+      if (dual_.vertices[ball] == Dual_kind::singular) boundary_.arcs.push_back({ball, -1, -1});
+      return;
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!ends[i].starts) continue;
+      const Arc_end& end = ends[(i + 1) % ends.size()];
+      if (end.starts) throw std::logic_error("an arc of the boundary of the union has two starts");
+      if (ends[i].vertex == end.vertex) {
+        // A whole circle where two disks touch from outside; nothing where the circle only touches the boundary.
+        if (ends[i].edge != end.edge || boundary_.covered_by[ball] >= 0) continue;
+      }
+      boundary_.arcs.push_back({ball, ends[i].vertex, end.vertex});
+    }
+  }
+
+  void order_arcs() {
+    auto& arcs = boundary_.arcs;
+    std::vector<int> next_of_vertex(origins_.size(), -1);
+    std::vector<int> next_of_arc(arcs.size(), -1);
+    for (int a = static_cast<int>(arcs.size()) - 1; a >= 0; --a) {
+      if (arcs[a].from < 0) continue;
+      next_of_arc[a] = next_of_vertex[arcs[a].from];
+      next_of_vertex[arcs[a].from] = a;
+    }
+    std::vector<Boundary_arc> ordered;
+    ordered.reserve(arcs.size());
+    std::vector<bool> is_done(arcs.size(), false);
+    for (int first = 0; first < static_cast<int>(arcs.size()); ++first) {
+      for (int a = first; a >= 0 && !is_done[a];) {
+        is_done[a] = true;
+        ordered.push_back(arcs[a]);
+        if (arcs[a].to < 0) break;
+        int& next = next_of_vertex[arcs[a].to];
+        while (next >= 0 && is_done[next]) next = next_of_arc[next];
+        a = next;
+      }
+    }
+    arcs = std::move(ordered);
+  }
+
+  void place_vertices() {
+    boundary_.vertices.reserve(origins_.size());
+    for (std::size_t v = 0; v < origins_.size(); ++v) {
+      if (v % 4096 == 0) progress_.check();
+      boundary_.vertices.push_back(boundary_.samples[v] >= 0 ? (*balls_.samples)[boundary_.samples[v]]
+                                                             : intersection(origins_[v].edge, origins_[v].on_left));
+    }
+  }
+
+  Point_2 intersection(int e, bool on_left) const {
+    const Dual_edge& edge = dual_.edges[e];
+    const Point_2& p = balls_.centers[edge.a];
+    const Point_2& q = balls_.centers[edge.b];
+    const long double x = static_cast<long double>(q.x) - p.x;
+    const long double y = static_cast<long double>(q.y) - p.y;
+    const long double ra = balls_.radii[edge.a];
+    const long double rb = balls_.radii[edge.b];
+    const long double wa = ra * ra + dual_.alpha;
+    const long double d2 = x * x + y * y;
+    const long double s = d2 + (ra - rb) * (ra + rb);
+    const long double along = s / (2 * d2);
+    long double height2 = (wa - along * along * d2) / d2;
+    constexpr long double smallest_trusted_part = 1e-6L;
+    if (!(height2 > smallest_trusted_part * (wa / d2))) height2 = exact_height2(edge);
+    const long double across = std::sqrt(std::max(height2, 0.0L)) * (on_left ? 1 : -1);
+    return {static_cast<double>(p.x + along * x - across * y), static_cast<double>(p.y + along * y + across * x)};
+  }
+
+  /// Squared distance of the crossings from the line of the centers, over the squared distance of these.
+  long double exact_height2(const Dual_edge& edge) const {
+    using Rational = CGAL::Exact_rational;
+    const Rational x = Rational(balls_.centers[edge.b].x) - Rational(balls_.centers[edge.a].x);
+    const Rational y = Rational(balls_.centers[edge.b].y) - Rational(balls_.centers[edge.a].y);
+    const Rational wa = CGAL::square(Rational(balls_.radii[edge.a]));
+    const Rational wb = CGAL::square(Rational(balls_.radii[edge.b]));
+    const Rational d2 = x * x + y * y;
+    const Rational s = d2 + wa - wb;
+    return CGAL::to_double((4 * d2 * (wa + Rational(dual_.alpha)) - s * s) / (4 * d2 * d2));
+  }
+
+  struct Origin {
+    int edge = -1;
+    bool on_left = false;
+    int flat_class = -1;
+  };
+
+  Union_boundary_2& boundary_;
+  const Dual_2& dual_;
+  const Regular_2& regular_;
+  const Balls_2& balls_;
+  Power_predicates predicates_;
+  Progress& progress_;
+  std::vector<int> flat_class_;
+  std::vector<Origin> origins_;
+  std::unordered_map<int, int> vertex_of_sample_;
+  std::unordered_map<int, int> vertex_of_class_;
+  std::vector<int> edge_of_corner_;
+};
+
+}  // namespace
+
+Union_boundary_2 union_boundary(std::shared_ptr<const Dual_2> dual, Progress& progress) {
+  Union_boundary_2 boundary;
+  boundary.dual = std::move(dual);
+  Boundary_builder(boundary, progress).build();
+  return boundary;
+}
+
+Union_boundary_2 union_boundary(std::shared_ptr<const Balls_2> balls, double alpha, Progress& progress) {
+  auto regular = std::make_shared<const Regular_2>(regular_triangulation(std::move(balls), progress));
+  auto dual = std::make_shared<const Dual_2>(dual_complex(std::move(regular), alpha, progress));
+  return union_boundary(std::move(dual), progress);
+}
+
+}  // namespace mesecina

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/union_2/union_medial_axis_2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace mesecina {
+
+namespace {
+
+/// Pairs of sites that mean something, found from either end.
+class Pairs {
+ public:
+  struct Entry {
+    int other = -1;
+    int ball = -1;  ///< of the arc whose chord this is; -1 for the two vertices of a singular edge
+  };
+
+  explicit Pairs(const Union_voronoi_2& voronoi) {
+    const Union_boundary_2& boundary = *voronoi.boundary;
+    const auto& site = voronoi.delaunay.site;
+    struct Pair {
+      int p;
+      int q;
+      int ball;
+    };
+    std::vector<Pair> pairs;
+    for (const Boundary_arc& arc : boundary.arcs)
+      if (arc.from >= 0 && site[arc.from] != site[arc.to]) pairs.push_back({site[arc.from], site[arc.to], arc.ball});
+    chord_count_ = pairs.size();
+    for (std::size_t e = 0; e < boundary.vertices_of_edge.size(); ++e) {
+      const auto [left, right] = boundary.vertices_of_edge[e];
+      if (left >= 0 && right >= 0 && site[left] != site[right]) pairs.push_back({site[left], site[right], -1});
+    }
+    offsets_.assign(site.size() + 1, 0);
+    for (const Pair& pair : pairs) {
+      ++offsets_[pair.p + 1];
+      ++offsets_[pair.q + 1];
+    }
+    for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
+    entries_.resize(2 * pairs.size());
+    std::vector<int> next(offsets_.begin(), offsets_.end() - 1);
+    for (const Pair& pair : pairs) {
+      entries_[next[pair.p]++] = {pair.q, pair.ball};
+      entries_[next[pair.q]++] = {pair.p, pair.ball};
+    }
+  }
+
+  struct Answer {
+    int chords = 0;
+    int ball = -1;  ///< of the last of these
+    bool is_singular = false;
+  };
+  Answer find(int p, int q) const {
+    Answer answer;
+    for (int i = offsets_[p]; i < offsets_[p + 1]; ++i) {
+      const Entry& entry = entries_[i];
+      if (entry.other != q) continue;
+      if (entry.ball < 0) {
+        answer.is_singular = true;
+      } else {
+        ++answer.chords;
+        answer.ball = entry.ball;
+      }
+    }
+    return answer;
+  }
+  std::size_t chord_count() const { return chord_count_; }
+
+ private:
+  std::vector<int> offsets_;
+  std::vector<Entry> entries_;
+  std::size_t chord_count_ = 0;
+};
+
+/// Labels by parity from the outside, across chords. Every site has an even number of chords, so all ways agree.
+void label_triangles(Union_voronoi_2& voronoi, const Pairs& pairs, const Progress& progress) {
+  const Delaunay_2& delaunay = voronoi.delaunay;
+  const int count = static_cast<int>(delaunay.triangles.size());
+  voronoi.is_inner.assign(count, 0);
+  std::vector<std::uint8_t> changes(3 * static_cast<std::size_t>(count), 0);
+  std::size_t found = 0;
+  std::vector<int> waiting;
+  std::vector<std::uint8_t> is_known(count, 0);
+  for (int t = 0; t < count; ++t) {
+    if (t % 8192 == 0) progress.check();
+    for (int i = 0; i < 3; ++i) {
+      const auto [p, q] = delaunay.edge(t, i);
+      const int chords = pairs.find(p, q).chords;
+      changes[3 * static_cast<std::size_t>(t) + i] = chords % 2;
+      if (delaunay.edge_is_listed(t, i)) found += chords;
+      if (delaunay.neighbors[t][i] >= 0 || is_known[t] != 0) continue;
+      is_known[t] = 1;
+      voronoi.is_inner[t] = chords % 2;
+      waiting.push_back(t);
+    }
+  }
+  for (std::size_t i = 1; i < delaunay.line.size(); ++i)
+    found += pairs.find(delaunay.line[i - 1], delaunay.line[i]).chords;
+  voronoi.lost_chords = pairs.chord_count() - found;
+  while (!waiting.empty()) {
+    const int t = waiting.back();
+    waiting.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      const int u = delaunay.neighbors[t][i];
+      if (u < 0 || is_known[u] != 0) continue;
+      is_known[u] = 1;
+      voronoi.is_inner[u] = voronoi.is_inner[t] ^ changes[3 * static_cast<std::size_t>(t) + i];
+      waiting.push_back(u);
+    }
+  }
+}
+
+/// Per site the disks whose circles pass through one of its vertices.
+struct Sources_of_sites {
+  std::vector<int> offsets;
+  std::vector<int> disks;
+  explicit Sources_of_sites(const Union_voronoi_2& voronoi) {
+    const Union_boundary_2& boundary = *voronoi.boundary;
+    const auto& site = voronoi.delaunay.site;
+    if (voronoi.delaunay.site_count == site.size()) {
+      offsets = boundary.source_offsets;
+      disks = boundary.sources;
+      return;
+    }
+    std::vector<std::vector<int>> lists(site.size());
+    for (int v = 0; v < static_cast<int>(site.size()); ++v) {
+      const auto own = boundary.sources_of(v);
+      lists[site[v]].insert(lists[site[v]].end(), own.begin(), own.end());
+    }
+    offsets.push_back(0);
+    for (auto& list : lists) {
+      std::ranges::sort(list);
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      disks.insert(disks.end(), list.begin(), list.end());
+      offsets.push_back(static_cast<int>(disks.size()));
+    }
+  }
+  std::span<const int> of(int site) const {
+    return std::span(disks).subspan(offsets[site], offsets[site + 1] - offsets[site]);
+  }
+};
+
+int common_source(const Sources_of_sites& sources, const std::array<int, 3>& corners) {
+  for (const int disk : sources.of(corners[0])) {
+    const auto touches = [&](int site) { return std::ranges::binary_search(sources.of(site), disk); };
+    if (touches(corners[1]) && touches(corners[2])) return disk;
+  }
+  return -1;
+}
+
+class Axis_builder {
+ public:
+  Axis_builder(const Union_voronoi_2& voronoi, bool complete_only, const Progress& progress)
+      : voronoi_(voronoi),
+        boundary_(*voronoi.boundary),
+        dual_(*boundary_.dual),
+        complete_only_(complete_only),
+        progress_(progress),
+        node_of_ball_(boundary_.radii.size(), -1) {
+    axis_.boundary = voronoi.boundary;
+  }
+
+  Union_medial_axis_2 build() {
+    add_voronoi_part();
+    add_singular_part();
+    return std::move(axis_);
+  }
+
+ private:
+  int node_of_ball(int ball) {
+    int& node = node_of_ball_[ball];
+    if (node < 0) node = add_node(dual_.regular->balls->centers[ball], boundary_.radii[ball], ball);
+    return node;
+  }
+  int add_node(const Point_2& center, double radius, int ball) {
+    axis_.centers.push_back(center);
+    axis_.radii.push_back(radius);
+    axis_.balls.push_back(ball);
+    return static_cast<int>(axis_.centers.size()) - 1;
+  }
+  void add_edge(int a, int b, int p, int q, Axis_edge_kind kind) {
+    axis_.edges.push_back({a, b});
+    axis_.contacts.push_back({std::min(p, q), std::max(p, q)});
+    axis_.kinds.push_back(kind);
+  }
+
+  void add_voronoi_part() {
+    const Delaunay_2& delaunay = voronoi_.delaunay;
+    const int count = static_cast<int>(delaunay.triangles.size());
+    std::vector<int> node_of_triangle(count, -1);
+    for (int t = 0; t < count; ++t) {
+      if (t % 8192 == 0) progress_.check();
+      if (voronoi_.is_inner[t] == 0) continue;
+      const int ball = voronoi_.ball_of_triangle[t];
+      node_of_triangle[t] = ball >= 0 ? node_of_ball(ball) : add_node(voronoi_.vertices[t], voronoi_.radii[t], -1);
+    }
+    const Pairs pairs(voronoi_);
+    for (int t = 0; t < count; ++t) {
+      if (t % 8192 == 0) progress_.check();
+      for (int i = 0; i < 3; ++i) {
+        if (!delaunay.edge_is_listed(t, i)) continue;
+        const int u = delaunay.neighbors[t][i];
+        const int a = node_of_triangle[t];
+        const int b = u < 0 ? -1 : node_of_triangle[u];
+        if ((a < 0 && b < 0) || a == b) continue;
+        const auto [p, q] = delaunay.edge(t, i);
+        const Pairs::Answer pair = pairs.find(p, q);
+        if (pair.is_singular) continue;
+        if (a >= 0 && b >= 0) {
+          if (pair.chords == 0) add_edge(a, b, p, q, Axis_edge_kind::complete);
+        } else if (pair.chords == 1 && !complete_only_) {
+          const int inner = std::max(a, b);
+          const int end = node_of_ball(pair.ball);
+          if (end != inner) add_edge(inner, end, p, q, Axis_edge_kind::incomplete);
+        }
+      }
+    }
+  }
+
+  void add_singular_part() {
+    for (std::size_t e = 0; e < dual_.edges.size(); ++e) {
+      const Dual_edge& edge = dual_.edges[e];
+      if (edge.kind != Dual_kind::singular) continue;
+      // A disk that another covers is no part of the axis.
+      if (boundary_.covered_by[edge.a] == edge.b) {
+        node_of_ball(edge.b);
+      } else if (boundary_.covered_by[edge.b] == edge.a) {
+        node_of_ball(edge.a);
+      } else {
+        const auto [p, q] = boundary_.vertices_of_edge[e];
+        add_edge(node_of_ball(edge.a), node_of_ball(edge.b), p, q, Axis_edge_kind::singular);
+      }
+    }
+    for (int b = 0; b < static_cast<int>(dual_.vertices.size()); ++b)
+      if (dual_.vertices[b] == Dual_kind::singular) node_of_ball(b);
+  }
+
+  const Union_voronoi_2& voronoi_;
+  const Union_boundary_2& boundary_;
+  const Dual_2& dual_;
+  bool complete_only_;
+  const Progress& progress_;
+  Union_medial_axis_2 axis_;
+  std::vector<int> node_of_ball_;
+};
+
+}  // namespace
+
+Union_voronoi_2 union_voronoi(std::shared_ptr<const Union_boundary_2> boundary, Progress& progress) {
+  Union_voronoi_2 result;
+  result.boundary = std::move(boundary);
+  const Union_boundary_2& of = *result.boundary;
+  result.delaunay = delaunay(of.vertices, progress);
+  label_triangles(result, Pairs(result), progress);
+  Voronoi_2 voronoi = mesecina::voronoi(result.delaunay, progress);
+  result.vertices = std::move(voronoi.vertices);
+  result.radii = std::move(voronoi.radii);
+  const Sources_of_sites sources(result);
+  result.ball_of_triangle.resize(result.delaunay.triangles.size());
+  for (std::size_t t = 0; t < result.ball_of_triangle.size(); ++t) {
+    if (t % 8192 == 0) progress.check();
+    const int ball = common_source(sources, result.delaunay.triangles[t]);
+    result.ball_of_triangle[t] = ball;
+    if (ball < 0) continue;
+    result.vertices[t] = of.dual->regular->balls->centers[ball];
+    result.radii[t] = of.radii[ball];
+  }
+  return result;
+}
+
+Union_medial_axis_2 union_medial_axis(const Union_voronoi_2& voronoi, bool complete_only, Progress& progress) {
+  return Axis_builder(voronoi, complete_only, progress).build();
+}
+
+std::vector<double> lambda_of_edges(const Union_medial_axis_2& axis) {
+  const auto& vertices = axis.boundary->vertices;
+  std::vector<double> lambda;
+  lambda.reserve(axis.edges.size());
+  for (const auto& [p, q] : axis.contacts) lambda.push_back(distance(vertices[p], vertices[q]) / 2);
+  return lambda;
+}
+
+std::vector<double> angle_of_edges(const Union_medial_axis_2& axis) {
+  const auto& vertices = axis.boundary->vertices;
+  std::vector<double> angles;
+  angles.reserve(axis.edges.size());
+  for (std::size_t e = 0; e < axis.edges.size(); ++e) {
+    const Point_2& p = vertices[axis.contacts[e][0]];
+    const Point_2& q = vertices[axis.contacts[e][1]];
+    const Point_2 middle = midpoint(p, q);
+    const double length = distance(p, q);
+    // Places of the ends of the edge on the bisector of its contacts, from their midpoint.
+    const auto place = [&](int ball) {
+      const Point_2& c = axis.centers[ball];
+      return ((q.x - p.x) * (c.y - middle.y) - (q.y - p.y) * (c.x - middle.x)) / length;
+    };
+    double angle = 180;
+    if (length > 0 && axis.kinds[e] != Axis_edge_kind::singular) {
+      const double s = place(axis.edges[e][0]);
+      const double t = place(axis.edges[e][1]);
+      if (s * t > 0) angle = 2 * std::atan2(length / 2, std::min(std::abs(s), std::abs(t))) * (180 / std::numbers::pi);
+    }
+    angles.push_back(angle);
+  }
+  return angles;
+}
+
+}  // namespace mesecina
