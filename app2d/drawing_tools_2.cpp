@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
 #include <cmath>
+#include <utility>
 
 #include "app2d/tools_2.h"
+#include "layers/panel_paint.h"
 
 namespace mesecina {
 
@@ -10,7 +13,24 @@ namespace {
 constexpr double freehand_spacing = 8;
 /// A double click ends with a second click at about the same place, which is no vertex.
 constexpr double same_place = 3;
+constexpr int readout_digits = 5;
 }  // namespace
+
+QString radius_readout(double radius) {
+  return QCoreApplication::translate("tools", "radius %1").arg(short_number(radius, readout_digits));
+}
+
+void Spray_path_2::go_to(const Point_2& position, double step, const std::function<void(const Point_2&)>& place) {
+  if (!last_) return;
+  // A quick stroke jumps over many pixels between two events.
+  double far = distance(*last_, position);
+  while (far >= step) {
+    const double t = step / far;
+    last_ = Point_2{last_->x + t * (position.x - last_->x), last_->y + t * (position.y - last_->y)};
+    place(*last_);
+    far = distance(*last_, position);
+  }
+}
 
 QString Insert_tool_2::hint(const Canvas_event&) const { return tr("Click adds a point"); }
 
@@ -23,27 +43,94 @@ QString Spray_tool_2::hint(const Canvas_event&) const { return tr("Drag draws po
 
 bool Spray_tool_2::press_left(const Canvas_event& event) {
   ++gesture_;
-  last_ = event.position;
+  path_.start(event.position);
   editor().add_point(event.position, QStringLiteral("spray/%1").arg(gesture_));
   return true;
 }
 
 void Spray_tool_2::drag(const Canvas_event& event) {
-  if (!last_) return;
-  // A quick stroke jumps over many pixels between two events.
-  const double step = spacing_ / editor().canvas().view().scale;
-  double far = distance(*last_, event.position);
-  while (far >= step) {
-    const double t = step / far;
-    last_ = Point_2{last_->x + t * (event.position.x - last_->x), last_->y + t * (event.position.y - last_->y)};
-    editor().add_point(*last_, QStringLiteral("spray/%1").arg(gesture_));
-    far = distance(*last_, event.position);
-  }
+  path_.go_to(event.position, spacing_ / editor().canvas().view().scale, [this](const Point_2& position) {
+    editor().add_point(position, QStringLiteral("spray/%1").arg(gesture_));
+  });
 }
 
 bool Spray_tool_2::release(const Canvas_event& event) {
   if (event.button != Qt::LeftButton) return false;
-  last_.reset();
+  path_.stop();
+  return true;
+}
+
+QString Disk_tool_2::hint(const Canvas_event&) const {
+  if (state_ == State::drawing) return tr("Release at the radius; Esc drops the disk");
+  return tr("Drag from the center to the radius; click draws radius %1, Ctrl+drag sprays")
+      .arg(short_number(editor().usual_radius(), readout_digits));
+}
+
+bool Disk_tool_2::cancel() {
+  if (state_ == State::idle) return false;
+  state_ = State::idle;
+  path_.stop();
+  Q_EMIT preview_changed();
+  return true;
+}
+
+Preview_2 Disk_tool_2::preview() const {
+  if (state_ != State::drawing) return {};
+  const double radius = distance(start_.position, cursor_);
+  return {{start_.position, cursor_}, Disk_2{start_.position, radius}, radius_readout(radius)};
+}
+
+bool Disk_tool_2::wheel(const Canvas_event& event, double degrees) {
+  if (state_ != State::idle || !editor().is_over_selected_disk(event)) return false;
+  editor().turn_wheel(degrees);
+  return true;
+}
+
+bool Disk_tool_2::press_left(const Canvas_event& event) {
+  start_ = event;
+  cursor_ = event.position;
+  if (event.modifiers & Qt::ControlModifier) {
+    state_ = State::spraying;
+    ++gesture_;
+    path_.start(event.position);
+    spray(event.position);
+  } else {
+    state_ = State::pressed;
+  }
+  return true;
+}
+
+void Disk_tool_2::spray(const Point_2& position) {
+  editor().add_disk({position, editor().usual_radius()}, QStringLiteral("spray-disks/%1").arg(gesture_));
+}
+
+void Disk_tool_2::drag(const Canvas_event& event) {
+  if (state_ == State::idle) return;
+  if (state_ == State::spraying) {
+    path_.go_to(event.position, spacing_ / editor().canvas().view().scale,
+                [this](const Point_2& position) { spray(position); });
+    return;
+  }
+  if (state_ == State::pressed &&
+      (event.pixel - start_.pixel).manhattanLength() < QApplication::startDragDistance() / 2.0)
+    return;
+  state_ = State::drawing;
+  cursor_ = event.position;
+  Q_EMIT preview_changed();
+}
+
+bool Disk_tool_2::release(const Canvas_event& event) {
+  if (event.button != Qt::LeftButton || state_ == State::idle) return false;
+  const State state = std::exchange(state_, State::idle);
+  path_.stop();
+  const double radius = distance(start_.position, event.position);
+  if (state == State::drawing && radius > 0) {
+    editor().add_disk({start_.position, radius});
+  } else if (state == State::pressed) {
+    editor().add_disk({start_.position, editor().usual_radius()});
+  }
+  Q_EMIT preview_changed();
+  Q_EMIT hovered(event);
   return true;
 }
 
@@ -72,11 +159,12 @@ bool Outline_tool_2::complete() {
   return true;
 }
 
-std::vector<Point_2> Outline_tool_2::preview() const {
-  if (ring_.empty()) return {};
-  std::vector<Point_2> line = ring_;
-  line.push_back(cursor_);
-  return line;
+Preview_2 Outline_tool_2::preview() const {
+  Preview_2 preview;
+  if (ring_.empty()) return preview;
+  preview.line = ring_;
+  preview.line.push_back(cursor_);
+  return preview;
 }
 
 void Outline_tool_2::add(const Point_2& vertex, double least_distance) {

@@ -2,8 +2,10 @@
 #include "app2d/edits_2.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <limits>
+#include <sstream>
+#include <string_view>
 
 #include "core/formats/number.h"
 
@@ -11,7 +13,8 @@ namespace mesecina {
 
 namespace {
 
-void for_each_handle(const Inputs& inputs, const Reach_2& reach, auto visit_point, auto visit_vertex) {
+/// What can be taken hold of, by its position; disks by their center.
+void for_each_handle(const Inputs& inputs, const Reach_2& reach, auto visit_point, auto visit_vertex, auto visit_disk) {
   if (const auto points = inputs.get(points_input); points && reach.points) {
     for (std::size_t i = 0; i < points->size(); ++i) visit_point(i, (*points)[i]);
   }
@@ -19,11 +22,25 @@ void for_each_handle(const Inputs& inputs, const Reach_2& reach, auto visit_poin
     for (std::size_t r = 0; r < outline->rings.size(); ++r)
       for (std::size_t v = 0; v < outline->rings[r].size(); ++v) visit_vertex(Vertex_2{r, v}, outline->rings[r][v]);
   }
+  if (const auto disks = inputs.get(disks_input); disks && reach.disks) {
+    for (std::size_t i = 0; i < disks->size(); ++i) visit_disk(i, (*disks)[i].center);
+  }
 }
 
 Inputs with_rings(const Inputs& inputs, Outline_2 outline) {
   if (outline.rings.empty()) return inputs.with(outline_input, std::shared_ptr<const Outline_2>());
   return inputs.with(outline_input, std::move(outline));
+}
+
+/// Calls change(disk) for each selected disk and returns the inputs with what became of them.
+template <class Change>
+Inputs changed_disks(const Inputs& inputs, const Selection_2& selection, Change change) {
+  const auto disks = inputs.get(disks_input);
+  if (!disks || selection.disks.empty()) return inputs;
+  std::vector<Disk_2> copy = *disks;
+  for (const std::size_t i : selection.disks)
+    if (i < copy.size()) change(copy[i]);
+  return inputs.with(disks_input, std::move(copy));
 }
 
 /// Calls change(position) for each selected one and returns the inputs with what became of them.
@@ -42,9 +59,63 @@ Inputs changed(const Inputs& inputs, const Selection_2& selection, Change change
       if (at.ring < copy.rings.size() && at.vertex < copy.rings[at.ring].size()) change(copy.rings[at.ring][at.vertex]);
     result = result.with(outline_input, std::move(copy));
   }
+  return changed_disks(result, selection, [&](Disk_2& disk) { change(disk.center); });
+}
+
+/// Without the elements whose numbers are in `removed`, which is sorted.
+template <class T>
+std::vector<T> kept(const std::vector<T>& all, const std::vector<std::size_t>& removed) {
+  std::vector<T> result;
+  result.reserve(all.size());
+  auto next = removed.begin();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (next != removed.end() && *next == i) {
+      ++next;
+    } else {
+      result.push_back(all[i]);
+    }
+  }
   return result;
 }
 
+template <class T>
+Inputs without_elements(const Inputs& inputs, Input_key<std::vector<T>> key, const std::vector<std::size_t>& removed) {
+  const auto all = inputs.get(key);
+  if (!all || removed.empty()) return inputs;
+  std::vector<T> rest = kept(*all, removed);
+  return rest.empty() ? inputs.with(key, std::shared_ptr<const std::vector<T>>()) : inputs.with(key, std::move(rest));
+}
+
+template <class T>
+Inputs with_elements(const Inputs& inputs, Input_key<std::vector<T>> key, const std::vector<T>& added) {
+  if (added.empty()) return inputs;
+  const auto old = inputs.get(key);
+  std::vector<T> all;
+  all.reserve((old ? old->size() : 0) + added.size());
+  if (old) all = *old;
+  all.insert(all.end(), added.begin(), added.end());
+  return inputs.with(key, std::move(all));
+}
+
+/// The disk whose boundary is nearest within `radius`; empty if there is none.
+Selection_2 nearest_boundary(const Inputs& inputs, const Point_2& position, double radius) {
+  Selection_2 found;
+  const auto disks = inputs.get(disks_input);
+  if (!disks) return found;
+  double best = radius;
+  for (std::size_t i = 0; i < disks->size(); ++i) {
+    const Disk_2& disk = (*disks)[i];
+    const double d = std::abs(distance(disk.center, position) - disk.radius);
+    if (d < best || (found.is_empty() && d <= best)) {
+      best = d;
+      found.disks = {i};
+    }
+  }
+  return found;
+}
+
+constexpr std::string_view point_columns = "x y";
+constexpr std::string_view disk_columns = "x y radius";
 constexpr std::size_t fewest_ring_vertices = 3;
 
 }  // namespace
@@ -52,30 +123,32 @@ constexpr std::size_t fewest_ring_vertices = 3;
 Selection_2 nearest(const Inputs& inputs, const Reach_2& reach, const Point_2& position, double radius) {
   double best = radius * radius;
   Selection_2 found;
+  const auto take = [&](const Point_2& p, const auto& make_selection) {
+    const double d = squared_distance(p, position);
+    if (d < best || (found.is_empty() && d <= best)) {
+      best = d;
+      found = make_selection();
+    }
+  };
   for_each_handle(
-      inputs, reach,
-      [&](std::size_t i, const Point_2& p) {
-        const double d = squared_distance(p, position);
-        if (d < best || (found.is_empty() && d <= best)) {
-          best = d;
-          found = {{i}, {}};
-        }
-      },
-      [&](const Vertex_2& at, const Point_2& p) {
-        const double d = squared_distance(p, position);
-        if (d < best || (found.is_empty() && d <= best)) {
-          best = d;
-          found = {{}, {at}};
-        }
-      });
-  return found;
+      inputs, reach, [&](std::size_t i, const Point_2& p) { take(p, [i] {
+                                                              return Selection_2{{i}, {}, {}};
+                                                            }); },
+      [&](const Vertex_2& at, const Point_2& p) { take(p, [at] {
+                                                    return Selection_2{{}, {at}, {}};
+                                                  }); },
+      [&](std::size_t i, const Point_2& p) { take(p, [i] {
+                                               return Selection_2{{}, {}, {i}};
+                                             }); });
+  return found.is_empty() && reach.disks ? nearest_boundary(inputs, position, radius) : found;
 }
 
 Selection_2 all_of(const Inputs& inputs, const Reach_2& reach) {
   Selection_2 all;
   for_each_handle(
       inputs, reach, [&](std::size_t i, const Point_2&) { all.points.push_back(i); },
-      [&](const Vertex_2& at, const Point_2&) { all.vertices.push_back(at); });
+      [&](const Vertex_2& at, const Point_2&) { all.vertices.push_back(at); },
+      [&](std::size_t i, const Point_2&) { all.disks.push_back(i); });
   return all;
 }
 
@@ -91,6 +164,9 @@ Selection_2 inside(const Inputs& inputs, const Reach_2& reach, const Box& box) {
       },
       [&](const Vertex_2& at, const Point_2& p) {
         if (is_inside(p)) found.vertices.push_back(at);
+      },
+      [&](std::size_t i, const Point_2& p) {
+        if (is_inside(p)) found.disks.push_back(i);
       });
   return found;
 }
@@ -99,6 +175,7 @@ Selection_2 toggled(const Selection_2& first, const Selection_2& second) {
   Selection_2 result;
   std::ranges::set_symmetric_difference(first.points, second.points, std::back_inserter(result.points));
   std::ranges::set_symmetric_difference(first.vertices, second.vertices, std::back_inserter(result.vertices));
+  std::ranges::set_symmetric_difference(first.disks, second.disks, std::back_inserter(result.disks));
   return result;
 }
 
@@ -106,22 +183,25 @@ Selection_2 united(const Selection_2& first, const Selection_2& second) {
   Selection_2 result;
   std::ranges::set_union(first.points, second.points, std::back_inserter(result.points));
   std::ranges::set_union(first.vertices, second.vertices, std::back_inserter(result.vertices));
+  std::ranges::set_union(first.disks, second.disks, std::back_inserter(result.disks));
   return result;
 }
 
 bool contains(const Selection_2& selection, const Selection_2& part) {
   return std::ranges::includes(selection.points, part.points) &&
-         std::ranges::includes(selection.vertices, part.vertices);
+         std::ranges::includes(selection.vertices, part.vertices) && std::ranges::includes(selection.disks, part.disks);
 }
 
 Selection_2 restricted(const Selection_2& selection, const Inputs& inputs) {
   const auto points = inputs.get(points_input);
   const auto outline = inputs.get(outline_input);
+  const auto disks = inputs.get(disks_input);
   Selection_2 result = selection;
   std::erase_if(result.points, [&](std::size_t i) { return !points || i >= points->size(); });
   std::erase_if(result.vertices, [&](const Vertex_2& at) {
     return !outline || at.ring >= outline->rings.size() || at.vertex >= outline->rings[at.ring].size();
   });
+  std::erase_if(result.disks, [&](std::size_t i) { return !disks || i >= disks->size(); });
   return result;
 }
 
@@ -133,11 +213,33 @@ std::vector<Point_2> positions(const Inputs& inputs, const Selection_2& selectio
     for (const std::size_t i : known.points) result.push_back((*points)[i]);
   if (const auto outline = inputs.get(outline_input))
     for (const Vertex_2& at : known.vertices) result.push_back(outline->rings[at.ring][at.vertex]);
+  if (const auto disks = inputs.get(disks_input))
+    for (const std::size_t i : known.disks) result.push_back((*disks)[i].center);
+  return result;
+}
+
+std::vector<Disk_2> selected_disks(const Inputs& inputs, const Selection_2& selection) {
+  const Selection_2 known = restricted(selection, inputs);
+  std::vector<Disk_2> result;
+  result.reserve(known.disks.size());
+  if (const auto disks = inputs.get(disks_input))
+    for (const std::size_t i : known.disks) result.push_back((*disks)[i]);
   return result;
 }
 
 Inputs moved(const Inputs& inputs, const Selection_2& selection, double dx, double dy) {
   return changed(inputs, selection, [&](Point_2& p) { p = {p.x + dx, p.y + dy}; });
+}
+
+Inputs resized(const Inputs& inputs, const Selection_2& selection, double factor) {
+  return changed_disks(inputs, selection, [factor](Disk_2& disk) {
+    const double radius = disk.radius * factor;
+    if (radius > 0 && std::isfinite(radius)) disk.radius = radius;
+  });
+}
+
+Inputs with_disk(const Inputs& inputs, std::size_t index, const Disk_2& disk) {
+  return changed_disks(inputs, {{}, {}, {index}}, [&disk](Disk_2& changed_disk) { changed_disk = disk; });
 }
 
 Inputs placed(const Inputs& inputs, const Selection_2& selection, const Point_2& position) {
@@ -146,28 +248,17 @@ Inputs placed(const Inputs& inputs, const Selection_2& selection, const Point_2&
     one.points = {selection.points.front()};
   } else if (!selection.vertices.empty()) {
     one.vertices = {selection.vertices.front()};
+  } else if (!selection.disks.empty()) {
+    one.disks = {selection.disks.front()};
   }
   return changed(inputs, one, [&](Point_2& p) { p = position; });
 }
 
 Inputs without(const Inputs& inputs, const Selection_2& selection) {
-  Inputs result = inputs;
-  if (const auto points = inputs.get(points_input); points && !selection.points.empty()) {
-    std::vector<Point_2> kept;
-    kept.reserve(points->size());
-    auto next = selection.points.begin();
-    for (std::size_t i = 0; i < points->size(); ++i) {
-      if (next != selection.points.end() && *next == i) {
-        ++next;
-      } else {
-        kept.push_back((*points)[i]);
-      }
-    }
-    result = kept.empty() ? result.with(points_input, std::shared_ptr<const std::vector<Point_2>>())
-                          : result.with(points_input, std::move(kept));
-  }
+  Inputs result = without_elements(inputs, points_input, selection.points);
+  result = without_elements(result, disks_input, selection.disks);
   if (const auto outline = inputs.get(outline_input); outline && !selection.vertices.empty()) {
-    Outline_2 kept;
+    Outline_2 rest;
     auto next = selection.vertices.begin();
     for (std::size_t r = 0; r < outline->rings.size(); ++r) {
       Ring_2 ring;
@@ -178,21 +269,19 @@ Inputs without(const Inputs& inputs, const Selection_2& selection) {
           ring.push_back(outline->rings[r][v]);
         }
       }
-      if (ring.size() >= fewest_ring_vertices) kept.rings.push_back(std::move(ring));
+      if (ring.size() >= fewest_ring_vertices) rest.rings.push_back(std::move(ring));
     }
-    result = with_rings(result, std::move(kept));
+    result = with_rings(result, std::move(rest));
   }
   return result;
 }
 
 Inputs with_points(const Inputs& inputs, const std::vector<Point_2>& points) {
-  if (points.empty()) return inputs;
-  const auto old = inputs.get(points_input);
-  std::vector<Point_2> all;
-  all.reserve((old ? old->size() : 0) + points.size());
-  if (old) all = *old;
-  all.insert(all.end(), points.begin(), points.end());
-  return inputs.with(points_input, std::move(all));
+  return with_elements(inputs, points_input, points);
+}
+
+Inputs with_disks(const Inputs& inputs, const std::vector<Disk_2>& disks) {
+  return with_elements(inputs, disks_input, disks);
 }
 
 Inputs with_ring(const Inputs& inputs, Ring_2 ring) {
@@ -206,12 +295,7 @@ Inputs with_ring(const Inputs& inputs, Ring_2 ring) {
 Inputs appended(const Inputs& inputs, const Inputs& more) {
   Inputs result = inputs;
   if (const auto points = more.get(points_input)) result = with_points(result, *points);
-  if (const auto disks = more.get(disks_input)) {
-    const auto old = result.get(disks_input);
-    std::vector<Disk_2> all = old ? *old : std::vector<Disk_2>();
-    all.insert(all.end(), disks->begin(), disks->end());
-    result = result.with(disks_input, std::move(all));
-  }
+  if (const auto disks = more.get(disks_input)) result = with_disks(result, *disks);
   if (const auto outline = more.get(outline_input)) {
     const auto old = result.get(outline_input);
     Outline_2 all = old ? *old : Outline_2();
@@ -234,6 +318,15 @@ std::pair<Inputs, Selection_2> duplicated(const Inputs& inputs, const Selection_
     }
     result = with_points(result, added);
   }
+  if (const auto disks = inputs.get(disks_input)) {
+    std::vector<Disk_2> added;
+    for (const std::size_t i : known.disks) {
+      copies.disks.push_back(disks->size() + added.size());
+      const Disk_2& disk = (*disks)[i];
+      added.push_back({{disk.center.x + dx, disk.center.y + dy}, disk.radius});
+    }
+    result = with_disks(result, added);
+  }
   if (const auto outline = inputs.get(outline_input)) {
     std::size_t rings = outline->rings.size();
     for (std::size_t r = 0; r < outline->rings.size(); ++r) {
@@ -251,15 +344,38 @@ std::pair<Inputs, Selection_2> duplicated(const Inputs& inputs, const Selection_
   return {std::move(result), std::move(copies)};
 }
 
-std::string to_table(const std::vector<Point_2>& points) {
+std::string to_table(const std::vector<Point_2>& points, const std::vector<Disk_2>& disks) {
   std::string text;
+  const bool has_both = !points.empty() && !disks.empty();
+  if (has_both) (text += point_columns) += '\n';
   for (const Point_2& p : points) {
     append_number(text, p.x);
     text += ' ';
     append_number(text, p.y);
     text += '\n';
   }
+  if (has_both) (text += disk_columns) += '\n';
+  for (const Disk_2& disk : disks) {
+    append_number(text, disk.center.x);
+    text += ' ';
+    append_number(text, disk.center.y);
+    text += ' ';
+    append_number(text, disk.radius);
+    text += '\n';
+  }
   return text;
+}
+
+std::vector<std::string> table_parts(const std::string& text) {
+  std::vector<std::string> parts(1);
+  std::size_t lines = 0;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line); ++lines) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (lines > 0 && (line == point_columns || line == disk_columns)) parts.emplace_back(lines, '\n');
+    (parts.back() += line) += '\n';
+  }
+  return parts;
 }
 
 }  // namespace mesecina

@@ -131,9 +131,6 @@ void Files_2::take(const Loaded& result) {
     const bool is_one_file = result.good.size() == 1 && !order.is_example;
     set_current(is_one_file ? QFileInfo(result.good.front()).absoluteFilePath() : QString(), name_of(result.good));
   }
-  if (result.inputs.get(disks_input))
-    Q_EMIT told(Message_bar::Kind::warning,
-                tr("The disks are kept and can be saved, but no layer of this version shows disks."));
   if (!order.is_example)
     for (const QString& path : result.good) Q_EMIT opened(path);
   Q_EMIT loaded(order.is_added);
@@ -178,6 +175,15 @@ bool Files_2::save_as() {
   const auto ids = parts();
   if (ids.empty()) {
     Q_EMIT told(Message_bar::Kind::note, tr("There is nothing to save yet."));
+    return false;
+  }
+  if (ids.size() > 1) {
+    QStringList names;
+    for (const std::string& id : ids) names << part_name(id);
+    Q_EMIT told(Message_bar::Kind::error,
+                tr("Nothing was saved: no kind of file holds the %1 together; save them one by one with File ▸ Save a "
+                   "part")
+                    .arg(names.join(tr(" and "))));
     return false;
   }
   const QString path = choose_for_writing(tr("Save data"), stem(), filters_for(ids));

@@ -41,6 +41,7 @@ class Files_2 : public QObject {
 
   /// Into the file of the document, if there is one that can hold everything, else asks.
   bool save();
+  /// False, with a message, also when there is more than any one file can hold.
   bool save_as();
   /// By the extension. False, with a message, when the file cannot hold everything there is or cannot be written.
   bool save_to(const QString& path);

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "app2d/edits_2.h"
+
 namespace mesecina {
 
 namespace {
@@ -217,7 +219,43 @@ std::vector<Point_2> duplicates(const Generator_order_2& order) {
   return points;
 }
 
+std::vector<Disk_2> random_disks(const Generator_order_2& order) {
+  Random random(order.seed);
+  std::vector<Disk_2> disks;
+  disks.reserve(order.count);
+  const auto [least, greatest] = std::minmax(order.least_radius, order.greatest_radius);
+  for (std::size_t i = 0; i < order.count; ++i) {
+    const Point_2 center = random_in(random, order.box);
+    disks.push_back({center, random.within(least, greatest)});
+  }
+  return disks;
+}
+
+std::vector<Disk_2> with_radius(const std::vector<Point_2>& centers, double radius) {
+  std::vector<Disk_2> disks;
+  disks.reserve(centers.size());
+  for (const Point_2& center : centers) disks.push_back({center, radius});
+  return disks;
+}
+
+std::vector<Disk_2> grid_of_disks(const Generator_order_2& order) {
+  return with_radius(grid(order), order.relative_radius * lattice_of(order).step);
+}
+
+std::vector<Disk_2> ring_of_disks(const Generator_order_2& order) {
+  const std::vector<Point_2> centers = circle(order);
+  const double step = centers.size() < 2 ? half_side(order.box) : distance(centers[0], centers[1]);
+  return with_radius(centers, order.relative_radius * step);
+}
+
 }  // namespace
+
+Inputs generated(const Generator_2& generator, const Generator_order_2& order) {
+  Inputs inputs;
+  if (generator.make) inputs = with_points(inputs, generator.make(order));
+  if (generator.make_disks) inputs = with_disks(inputs, generator.make_disks(order));
+  return inputs;
+}
 
 std::vector<Point_2> wiggly_curve(std::size_t count, double size) {
   std::vector<Point_2> points;
@@ -232,6 +270,8 @@ std::vector<Point_2> wiggly_curve(std::size_t count, double size) {
 }
 
 const std::vector<Generator_2>& generators_2() {
+  constexpr std::size_t usual_grid = 25;
+  constexpr std::size_t usual_ring = 12;
   static const std::vector<Generator_2> generators = {
       {"random", QT_TRANSLATE_NOOP("generators", "Random points"),
        QT_TRANSLATE_NOOP("generators", "Points spread evenly at random over the view"), true, true, false, uniform},
@@ -251,6 +291,15 @@ const std::vector<Generator_2>& generators_2() {
       {"noisy-copy", QT_TRANSLATE_NOOP("generators", "Noisy copy"),
        QT_TRANSLATE_NOOP("generators", "A copy of every point, or vertex of the outline, moved a little at random"),
        false, true, true, noisy_copy},
+      {"random-disks", QT_TRANSLATE_NOOP("generators", "Random disks"),
+       QT_TRANSLATE_NOOP("generators", "Disks at random places of the view with random radii"), true, true, false,
+       nullptr, random_disks, Radii_2::between},
+      {"grid-of-disks", QT_TRANSLATE_NOOP("generators", "Grid of disks"),
+       QT_TRANSLATE_NOOP("generators", "Equal disks in exact rows and columns; at relative radius 0.5 they touch"),
+       true, false, false, nullptr, grid_of_disks, Radii_2::relative, usual_grid},
+      {"ring-of-disks", QT_TRANSLATE_NOOP("generators", "Ring of disks"),
+       QT_TRANSLATE_NOOP("generators", "Equal disks around a hole; at relative radius 0.5 they touch"), true, false,
+       false, nullptr, ring_of_disks, Radii_2::relative, usual_ring},
       {"collinear", QT_TRANSLATE_NOOP("generators", "Collinear points"),
        QT_TRANSLATE_NOOP("generators", "Points exactly on one line: a degenerate set"), true, false, false, collinear},
       {"cocircular", QT_TRANSLATE_NOOP("generators", "Cocircular points"),

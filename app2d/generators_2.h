@@ -10,16 +10,21 @@
 
 namespace mesecina {
 
-/// What a generator may use. The same values give the same points on every machine.
+/// What a generator may use. The same values give the same points and disks on every machine.
 struct Generator_order_2 {
   std::size_t count = 100;
   std::uint64_t seed = 1;
-  double amount = 0.01;  ///< of noise, as a fraction of the diagonal; for those that have it
-  Box box;               ///< where the points should lie; not empty
-  Inputs inputs;         ///< what there is already
+  double amount = 0.01;     ///< of noise, as a fraction of the diagonal; for those that have it
+  double least_radius = 2;  ///< of random disks
+  double greatest_radius = 8;
+  double relative_radius = 0.5;  ///< of regular disks, in distances of neighbours: at 0.5 they touch
+  Box box;                       ///< where the points or centers should lie; not empty
+  Inputs inputs;                 ///< what there is already
 };
 
-/// Makes points from nothing or from what there is.
+enum class Radii_2 { none, between, relative };
+
+/// Makes points or disks from nothing or from what there is.
 struct Generator_2 {
   std::string id;
   const char* label;  ///< English, as marked for translation
@@ -27,9 +32,15 @@ struct Generator_2 {
   bool has_count = true;
   bool has_seed = false;
   bool has_amount = false;
-  /// No points where there is nothing to start from.
-  std::vector<Point_2> (*make)(const Generator_order_2& order);
+  /// No points where there is nothing to start from; null for a generator of disks.
+  std::vector<Point_2> (*make)(const Generator_order_2& order) = nullptr;
+  std::vector<Disk_2> (*make_disks)(const Generator_order_2& order) = nullptr;  ///< null for a generator of points
+  Radii_2 radii = Radii_2::none;
+  std::size_t usual_count = 100;
 };
+
+/// What the generator makes, without what there was.
+Inputs generated(const Generator_2& generator, const Generator_order_2& order);
 
 const std::vector<Generator_2>& generators_2();
 

@@ -3,6 +3,7 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -116,8 +117,11 @@ void Hover_2::take(std::optional<Hovered_2> found, std::uint64_t number) {
   computation_.describe(hovered_->layer, hovered_->element,
                         [this, source = hovered_->source, element = hovered_->element](Element_description known) {
                           if (!hovered_ || hovered_->source != source || hovered_->element != element) return;
-                          if (!known.facts.empty())
-                            hovered_->facts.insert(hovered_->facts.end(), known.facts.begin(), known.facts.end());
+                          // A layer may describe what is among its values already.
+                          std::erase_if(known.facts, [this](const Fact& told) {
+                            return std::ranges::count(hovered_->facts, told.name, &Fact::name) > 0;
+                          });
+                          hovered_->facts.insert(hovered_->facts.end(), known.facts.begin(), known.facts.end());
                           if (!known.dual.is_empty())
                             hovered_->dual = std::make_shared<const Primitive_set>(std::move(known.dual));
                           Q_EMIT changed();

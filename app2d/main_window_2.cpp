@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -97,7 +98,7 @@ Main_window_2::~Main_window_2() {
   computation_.disconnect();
   canvas_->set_tool(nullptr);
   hover_.reset();
-  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_}) delete dock;
+  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_, disks_dock_}) delete dock;
   delete takeCentralWidget();
   delete editor_;
   delete files_;
@@ -113,18 +114,23 @@ void Main_window_2::build_center() {
   column->addWidget(messages_);
   column->addWidget(canvas_, 1);
   setCentralWidget(center);
-  canvas_->set_hint(tr("Drop a file here, or double-click to add points"));
+  canvas_->installEventFilter(this);
   editor_ = new Editor_2(document_, *canvas_, *formats_, this);
   hover_ = std::make_unique<Hover_2>(computation_, *canvas_);
   notes_ = new Layer_notes(canvas_);
-  facts_ = new QLabel(canvas_);
-  facts_->setObjectName(QStringLiteral("facts"));
-  facts_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  facts_->setAutoFillBackground(true);
-  facts_->setFrameShape(QFrame::StyledPanel);
-  facts_->setMargin(fontMetrics().height() / 3);
-  facts_->setTextFormat(Qt::PlainText);
-  facts_->hide();
+  const auto make_plate = [this](const QString& name) {
+    auto* plate = new QLabel(canvas_);
+    plate->setObjectName(name);
+    plate->setAttribute(Qt::WA_TransparentForMouseEvents);
+    plate->setAutoFillBackground(true);
+    plate->setFrameShape(QFrame::StyledPanel);
+    plate->setMargin(fontMetrics().height() / 3);
+    plate->setTextFormat(Qt::PlainText);
+    plate->hide();
+    return plate;
+  };
+  facts_ = make_plate(QStringLiteral("facts"));
+  readout_ = make_plate(QStringLiteral("readout"));
 }
 
 void Main_window_2::build_docks() {
@@ -137,11 +143,14 @@ void Main_window_2::build_docks() {
   };
   layer_panel_ = new Layer_panel(registry_, this);
   settings_panel_ = new Settings_panel(registry_, this);
-  points_table_ = new Points_table_2(*editor_, this);
+  points_table_ = new Input_table_2(Rows_2::points, *editor_, this);
+  disks_table_ = new Input_table_2(Rows_2::disks, *editor_, this);
   layers_dock_ = add(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
   settings_dock_ = add(QStringLiteral("settings-dock"), tr("Settings"), settings_panel_, Qt::RightDockWidgetArea);
   points_dock_ = add(QStringLiteral("points-dock"), tr("Points"), points_table_, Qt::RightDockWidgetArea);
+  disks_dock_ = add(QStringLiteral("disks-dock"), tr("Disks"), disks_table_, Qt::RightDockWidgetArea);
   tabifyDockWidget(settings_dock_, points_dock_);
+  tabifyDockWidget(points_dock_, disks_dock_);
   settings_dock_->raise();
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   constexpr int left_width = 300;
@@ -194,7 +203,11 @@ void Main_window_2::connect_parts() {
     layer_panel_->select({layer});
   });
   connect(hover_.get(), &Hover_2::changed, this, &Main_window_2::show_facts);
-  connect(canvas_, &Canvas_2::view_changed, this, [this] { hover_->forget(); });
+  connect(canvas_, &Canvas_2::view_changed, this, [this] {
+    hover_->forget();
+    // Handles keep their distance on the screen.
+    if (!editor_->selection().disks.empty()) show_overlay();
+  });
   connect(canvas_, &Canvas_2::backend_failed, this, [this](const QString& reason) {
     messages_->add(Message_bar::Kind::note,
                    tr("Drawing without OpenGL, which is slower for large scenes: %1").arg(reason));
@@ -208,6 +221,7 @@ void Main_window_2::connect_parts() {
     connect(tool, &Tool_2::left, this, [this] {
       coordinates_->clear();
       hint_->setText(tr("? shows keys and mouse"));
+      show_readout({}, {});
       hover_->forget();
     });
   }
@@ -235,8 +249,9 @@ void Main_window_2::use_tool(const QString& id) {
   if (tool_) tool_->cancel();
   tool_ = tools_.at(id);
   canvas_->set_tool(tool_);
-  spacing_action_->setVisible(id == QLatin1String("tool-spray"));
+  spacing_action_->setVisible(id == QLatin1String("tool-spray") || id == QLatin1String("tool-disk"));
   for (const auto& [other, tool] : tools_) (*actions_)[other]->setChecked(other == id);
+  show_overlay();
   canvas_->setFocus();
 }
 
@@ -249,11 +264,8 @@ void Main_window_2::show_scene() {
     for (Scene_layer& layer : scene.layers) layer.primitives = nullptr;
   }
   canvas_->set_scene(std::move(scene));
-  const bool has_only_disks = document_.inputs().ids() == std::vector<std::string>{std::string(disks_input.id)};
-  canvas_->set_hint(is_empty         ? tr("Drop a file here, or double-click to add points")
-                    : has_only_disks ? tr("There are only disks, which no layer of this version shows. "
-                                          "Double-click to add points")
-                                     : QString());
+  canvas_->set_hint(is_empty ? tr("Drop a file here, double-click to add points, or press D and drag to draw disks")
+                             : QString());
   show_notes();
 }
 
@@ -274,9 +286,16 @@ void Main_window_2::show_overlay() {
   const Layer_entry* points = find_entry(document_.layers(), points_input.id);
   constexpr double usual_size = 6;
   const auto& hovered = hover_->hovered();
-  canvas_->set_overlay(make_overlay(positions(document_.inputs(), editor_->selection()),
-                                    tool_ ? tool_->preview() : std::vector<Point_2>(), hovered ? &*hovered : nullptr,
-                                    background(), points ? points->style.point_size : usual_size));
+  Overlay_2 overlay;
+  overlay.selected = positions(document_.inputs(), editor_->selection());
+  overlay.selected_disks = selected_disks(document_.inputs(), editor_->selection());
+  if (tool_) overlay.preview = tool_->preview();
+  if (tool_ && tool_->uses_handles()) overlay.handles = editor_->handles();
+  if (overlay.preview.readout.isEmpty()) show_readout({}, {});
+  overlay.hovered = hovered ? &*hovered : nullptr;
+  overlay.background = background();
+  overlay.marker_size = points ? points->style.point_size : usual_size;
+  canvas_->set_overlay(make_overlay(overlay));
 }
 
 void Main_window_2::show_layer(const std::string& layer) {
@@ -313,11 +332,56 @@ void Main_window_2::show_hover(const Canvas_event& event) {
       QStringLiteral("%1, %2").arg(event.position.x, 0, 'f', decimals).arg(event.position.y, 0, 'f', decimals));
   hint_->setText(tool_->hint(event));
   if (canvas_->cursor().shape() != tool_->cursor(event)) canvas_->setCursor(tool_->cursor(event));
-  if (event.buttons == Qt::NoButton && tool_->preview().empty()) {
+  const Preview_2 preview = tool_->preview();
+  show_readout(preview.readout, event.pixel);
+  if (event.buttons == Qt::NoButton && preview.is_empty()) {
     hover_->look_at(event.pixel);
   } else {
     hover_->forget();
   }
+}
+
+void Main_window_2::show_readout(const QString& text, const QPointF& pixel) {
+  if (text.isEmpty()) {
+    readout_->hide();
+    return;
+  }
+  readout_->setText(text);
+  readout_->adjustSize();
+  const int gap = fontMetrics().height();
+  const QPoint wanted = pixel.toPoint() + QPoint(gap, gap);
+  readout_->move(std::max(0, std::min(wanted.x(), canvas_->width() - readout_->width())),
+                 std::max(0, std::min(wanted.y(), canvas_->height() - readout_->height())));
+  readout_->show();
+  readout_->raise();
+}
+
+bool Main_window_2::use_wheel(const QWheelEvent& event) {
+  // Ctrl always zooms, so that one can also while a selected disk covers the view.
+  if (!tool_ || event.modifiers() & (Qt::ControlModifier | Qt::AltModifier)) return false;
+  const QPoint turned = event.angleDelta();
+  // Some systems turn the wheel sideways while Shift is held.
+  const bool is_fine = event.modifiers() & Qt::ShiftModifier;
+  const int eighths = turned.y() == 0 && is_fine ? turned.x() : turned.y();
+  if (eighths == 0) return false;
+  constexpr double eighths_per_degree = 8;
+  constexpr double fineness = 10;
+  const QPointF pixel = event.position();
+  const Point_2 position = canvas_->view().to_plane({pixel.x(), pixel.y()}, canvas_->width(), canvas_->height());
+  const double degrees = eighths / eighths_per_degree / (is_fine ? fineness : 1);
+  if (!tool_->wheel({pixel, position, Qt::NoButton, event.buttons(), event.modifiers()}, degrees)) return false;
+  const std::vector<Disk_2> disks = selected_disks(document_.inputs(), editor_->selection());
+  show_readout(disks.size() == 1 ? radius_readout(disks.front().radius) : editor_->document().history().undoText(),
+               pixel);
+  return true;
+}
+
+bool Main_window_2::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == canvas_ && event->type() == QEvent::Wheel && use_wheel(static_cast<QWheelEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void Main_window_2::show_title() {
@@ -391,9 +455,9 @@ Color Main_window_2::background() const { return canvas_color(background_, palet
 
 bool Main_window_2::may_close() {
   if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
-  const auto answer = QMessageBox::question(this, tr("Save changes?"),
-                                            tr("The points or outlines of %1 were changed.").arg(files_->title()),
-                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  const auto answer = QMessageBox::question(
+      this, tr("Save changes?"), tr("The points, outlines or disks of %1 were changed.").arg(files_->title()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Save) return files_->save();
   return answer == QMessageBox::Discard;
 }

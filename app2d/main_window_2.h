@@ -12,7 +12,7 @@
 #include "app2d/files_2.h"
 #include "app2d/generators_2.h"
 #include "app2d/hover_2.h"
-#include "app2d/points_table_2.h"
+#include "app2d/input_table_2.h"
 #include "app2d/tools_2.h"
 #include "layers/layer_panel.h"
 #include "shell/actions.h"
@@ -28,6 +28,7 @@
 
 class QDockWidget;
 class QLabel;
+class QWheelEvent;
 
 namespace mesecina {
 
@@ -53,7 +54,8 @@ class Main_window_2 : public QMainWindow {
   Actions& actions() { return *actions_; }
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
-  Points_table_2& points_table() { return *points_table_; }
+  Input_table_2& points_table() { return *points_table_; }
+  Input_table_2& disks_table() { return *disks_table_; }
   Layer_panel& layer_panel() { return *layer_panel_; }
   Layer_notes& layer_notes() { return *notes_; }
 
@@ -66,6 +68,8 @@ class Main_window_2 : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void changeEvent(QEvent* event) override;
+  /// Offers the wheel over the canvas to the tool before the canvas zooms.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void build_center();
@@ -89,6 +93,9 @@ class Main_window_2 : public QMainWindow {
   void show_layer(const std::string& layer);
   void show_document(const Document_change& change);
   void show_hover(const Canvas_event& event);
+  /// Beside this pixel of the canvas; nothing for an empty text.
+  void show_readout(const QString& text, const QPointF& pixel);
+  bool use_wheel(const QWheelEvent& event);
   void show_title();
   void show_selection();
   void show_facts();
@@ -118,10 +125,12 @@ class Main_window_2 : public QMainWindow {
   Actions* actions_ = nullptr;
   Layer_panel* layer_panel_ = nullptr;
   Settings_panel* settings_panel_ = nullptr;
-  Points_table_2* points_table_ = nullptr;
+  Input_table_2* points_table_ = nullptr;
+  Input_table_2* disks_table_ = nullptr;
   QDockWidget* layers_dock_ = nullptr;
   QDockWidget* settings_dock_ = nullptr;
   QDockWidget* points_dock_ = nullptr;
+  QDockWidget* disks_dock_ = nullptr;
   Recent_files* recent_files_ = nullptr;
   Status_progress* computing_ = nullptr;
   Status_progress* working_ = nullptr;
@@ -129,6 +138,7 @@ class Main_window_2 : public QMainWindow {
   QLabel* selected_ = nullptr;
   QLabel* coordinates_ = nullptr;
   QLabel* facts_ = nullptr;
+  QLabel* readout_ = nullptr;
   Layer_notes* notes_ = nullptr;
   QAction* spacing_action_ = nullptr;
   Popover* popover_ = nullptr;

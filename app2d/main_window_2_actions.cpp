@@ -63,9 +63,9 @@ void Main_window_2::make_file_actions() {
       {QKeySequence(Qt::CTRL | Qt::Key_O)}, [this] { files_->choose_and_open(false); });
   add("add-file", tr("&Add file…"), tr("Add the data of files to what there is, as dropping with Ctrl does"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}, [this] { files_->choose_and_open(true); });
-  add("save", tr("&Save"), tr("Save the points or the outline"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
+  add("save", tr("&Save"), tr("Save the points, the outline or the disks"), {QKeySequence(Qt::CTRL | Qt::Key_S)},
       [this] { files_->save(); });
-  add("save-as", tr("Save &as…"), tr("Save the points or the outline into another file"),
+  add("save-as", tr("Save &as…"), tr("Save the points, the outline or the disks into another file"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, [this] { files_->save_as(); });
   add("save-points", tr("&Points…"), tr("Save the points alone"), {},
       [this] { files_->save_part_as(std::string(points_input.id)); });
@@ -110,21 +110,23 @@ void Main_window_2::make_edit_actions() {
                        std::function<void()> run, QWidget* scope = nullptr) {
     actions_->add(group, {QLatin1String(id), text, tip, std::move(keys), {}, false, scope}, std::move(run));
   };
-  add("cut", tr("Cu&t"), tr("Copy the selected points as text and delete them"), {QKeySequence(Qt::CTRL | Qt::Key_X)},
-      [this] { editor_->cut(); });
-  add("copy", tr("&Copy"), tr("Copy the selected points as text, one \"x y\" per line"),
+  add("cut", tr("Cu&t"), tr("Copy the selected points and disks as text and delete them"),
+      {QKeySequence(Qt::CTRL | Qt::Key_X)}, [this] { editor_->cut(); });
+  add("copy", tr("&Copy"), tr("Copy the selected points and disks as text, one \"x y\" or \"x y radius\" per line"),
       {QKeySequence(Qt::CTRL | Qt::Key_C)}, [this] { editor_->copy(); });
-  add("paste", tr("&Paste"), tr("Add points from text: a column of \"x y\", also from a spreadsheet"),
+  add("paste", tr("&Paste"),
+      tr("Add points or disks from text: lines of \"x y\" or \"x y radius\", also from a spreadsheet"),
       {QKeySequence(Qt::CTRL | Qt::Key_V)}, [this] { editor_->paste(); });
-  add("duplicate", tr("D&uplicate"), tr("Copies of the selected points beside them"),
+  add("duplicate", tr("D&uplicate"), tr("Copies of the selected points and disks beside them"),
       {QKeySequence(Qt::CTRL | Qt::Key_D)}, [this] { editor_->duplicate(); });
-  add("delete", tr("&Delete"), tr("Delete the selected points and vertices"), {QKeySequence(Qt::Key_Delete)},
+  add("delete", tr("&Delete"), tr("Delete the selected points, vertices and disks"), {QKeySequence(Qt::Key_Delete)},
       [this] { editor_->remove_selected(); });
-  add("select-all", tr("Select &all"), tr("Select all points and vertices that are shown"),
+  add("select-all", tr("Select &all"), tr("Select all points, vertices and disks that are shown"),
       {QKeySequence(Qt::CTRL | Qt::Key_A)}, [this] { editor_->select_all(); });
   add("escape", tr("Cancel or deselect"), tr("Cancel what is going on; if nothing is, select nothing"),
       {QKeySequence(Qt::Key_Escape)}, [this] { escape(); });
-  add("coordinates", tr("E&xact coordinates…"), tr("Type the coordinates of the selected point"),
+  add("coordinates", tr("E&xact coordinates…"),
+      tr("Type the coordinates of the selected point, or center and radius of the disk"),
       {QKeySequence(Qt::CTRL | Qt::Key_Return)}, [this] {
         if (popover_) popover_->dismiss();
         open_popover(open_coordinates_popover(*editor_, canvas_));
@@ -180,8 +182,9 @@ void Main_window_2::make_tool_actions() {
                                     [this, name] { use_tool(name); });
     choices->addAction(action);
   };
-  add("tool-select", tr("&Select and move"), tr("Click selects, drag moves or draws a box, double click adds a point"),
-      Qt::Key_V, Tool_icon::select, new Select_tool_2(*editor_));
+  add("tool-select", tr("&Select and move"),
+      tr("Click selects, drag moves, resizes or draws a box, double click adds a point"), Qt::Key_V, Tool_icon::select,
+      new Select_tool_2(*editor_));
   add("tool-insert", tr("Add &points"), tr("Every click adds a point"), Qt::Key_P, Tool_icon::insert,
       new Insert_tool_2(*editor_));
   auto* spray = new Spray_tool_2(*editor_);
@@ -189,6 +192,9 @@ void Main_window_2::make_tool_actions() {
       spray);
   add("tool-outline", tr("Draw an &outline"), tr("Click sets vertices, drag draws freely, double click closes"),
       Qt::Key_O, Tool_icon::outline, new Outline_tool_2(*editor_));
+  add("tool-disk", tr("Draw &disks"),
+      tr("Drag from the center to the radius; click repeats the last, Ctrl+drag sprays"), Qt::Key_D, Tool_icon::disk,
+      new Disk_tool_2(*editor_));
   add("tool-pan", tr("&Move the view"), tr("Drag moves the view, as the middle button does with every tool"), Qt::Key_M,
       Tool_icon::pan, new Pan_tool_2(*editor_));
 }
@@ -263,6 +269,9 @@ void Main_window_2::make_view_actions() {
                       {tr("Right"), tr("Menu")},
                       {tr("Middle, Space + left"), tr("Move the view")},
                       {tr("Wheel, pinch"), tr("Zoom about the cursor")},
+                      {tr("Wheel on a selected disk"), tr("Resize; Shift: finely, Ctrl: zoom")},
+                      {tr("Handle of a disk"), tr("Resize the selected disks")},
+                      {tr("Ctrl + drag (disks)"), tr("Spray disks of the last radius")},
                       {tr("Rest on something"), tr("See what it is")},
                       {tr("Drop a file"), tr("Open it; with Ctrl or Shift: add it")},
                   };
@@ -299,17 +308,20 @@ void Main_window_2::make_menus() {
   QMenu* insert = menu(tr("&Insert"));
   insert->setToolTipsVisible(true);
   QMenu* degenerate = nullptr;
+  QMenu* disks = nullptr;
   for (const Generator_2& generator : generators_2()) {
     const QString id = QStringLiteral("insert-") + QString::fromStdString(generator.id);
     QAction* action = actions_->add(
         tr("Insert"), {id, generator_text(generator.label) + QStringLiteral("…"), generator_text(generator.tip)},
         [this, &generator] { generate(generator); });
+    if (generator.make_disks && !disks) disks = insert->addMenu(tr("D&isks"));
     if (generator.id == "collinear") degenerate = insert->addMenu(tr("&Degenerate sets"));
-    (degenerate ? degenerate : insert)->addAction(action);
+    QMenu* place = degenerate ? degenerate : insert;
+    (generator.make_disks ? disks : place)->addAction(action);
   }
 
   QMenu* tools = menu(tr("&Tools"));
-  actions_->add_to(tools, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-pan"});
+  actions_->add_to(tools, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-disk", "tool-pan"});
 
   QMenu* view = menu(tr("&View"));
   actions_->add_to(view, {"fit", "previous-view", "zoom-in", "zoom-out", "-", "toggle-layers", "solo-layers",
@@ -319,7 +331,8 @@ void Main_window_2::make_menus() {
   QMenu* backgrounds = view->addMenu(tr("&Background"));
   for (const Background_choice& choice : background_choices) actions_->add_to(backgrounds, {QLatin1String(choice.id)});
   QMenu* panels = view->addMenu(tr("Pa&nels"));
-  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_}) panels->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_, disks_dock_})
+    panels->addAction(dock->toggleViewAction());
   actions_->add_to(view, {"-", "full-screen"});
 
   // Alt+H shows all layers.
@@ -331,8 +344,8 @@ void Main_window_2::make_tool_bar() {
   auto* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tool-bar"));
   bar->setMovable(false);
-  actions_->add_to(
-      bar, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-pan", "-", "undo", "redo", "-", "fit"});
+  actions_->add_to(bar, {"tool-select", "tool-insert", "tool-spray", "tool-outline", "tool-disk", "tool-pan", "-",
+                         "undo", "redo", "-", "fit"});
   auto* spray = static_cast<Spray_tool_2*>(tools_.at(QStringLiteral("tool-spray")));
   auto* spacing = new QSpinBox(bar);
   constexpr int widest = 200;
@@ -340,9 +353,13 @@ void Main_window_2::make_tool_bar() {
   spacing->setValue(static_cast<int>(spray->spacing()));
   spacing->setPrefix(tr("Spacing "));
   spacing->setSuffix(tr(" px"));
-  spacing->setAccessibleName(tr("Spacing of sprayed points"));
-  spacing->setToolTip(tr("Least distance between sprayed points"));
-  connect(spacing, &QSpinBox::valueChanged, spray, [spray](int pixels) { spray->set_spacing(pixels); });
+  spacing->setAccessibleName(tr("Spacing of sprayed points and disks"));
+  spacing->setToolTip(tr("Least distance between sprayed points or centers of sprayed disks"));
+  auto* disks = static_cast<Disk_tool_2*>(tools_.at(QStringLiteral("tool-disk")));
+  connect(spacing, &QSpinBox::valueChanged, spray, [spray, disks](int pixels) {
+    spray->set_spacing(pixels);
+    disks->set_spacing(pixels);
+  });
   spacing_action_ = bar->addWidget(spacing);
 }
 

@@ -38,6 +38,15 @@ std::shared_ptr<const Primitive_set> as_points(const std::vector<Point_2>& point
   return set;
 }
 
+std::shared_ptr<const Primitive_set> as_disks(const std::vector<Disk_2>& disks) {
+  auto set = std::make_shared<Primitive_set>();
+  for (const Disk_2& disk : disks) {
+    set->balls.push_back({static_cast<int>(set->vertices.size()), disk.radius});
+    set->vertices.push_back({disk.center.x, disk.center.y, 0});
+  }
+  return set;
+}
+
 std::shared_ptr<const Primitive_set> as_line(const std::vector<Point_2>& points) {
   auto set = vertices_of(points);
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -47,23 +56,38 @@ std::shared_ptr<const Primitive_set> as_line(const std::vector<Point_2>& points)
 
 }  // namespace
 
-std::vector<Scene_layer> make_overlay(const std::vector<Point_2>& selected, const std::vector<Point_2>& line,
-                                      const Hovered_2* hovered, Color background, double marker_size) {
-  std::vector<Scene_layer> overlay;
+std::vector<Scene_layer> make_overlay(const Overlay_2& overlay) {
+  std::vector<Scene_layer> layers;
   constexpr double rim = 3;
+  constexpr double thick = 2.5;
+  const double size = overlay.marker_size;
+  const Hovered_2* hovered = overlay.hovered;
   if (hovered && hovered->dual)
-    overlay.push_back(overlay_layer("hover-dual", hovered->dual, dual_color, marker_size + rim, 2.5, 0.85));
-  if (hovered) overlay.push_back(overlay_layer("hover", hovered->highlight, hover_color, marker_size + rim, 3.5, 0.9));
-  if (!line.empty()) {
-    overlay.push_back(overlay_layer("drawn-line", as_line(line), selection_color, marker_size, 2));
-    overlay.push_back(overlay_layer("drawn-vertices", as_points(line), selection_color, marker_size, 1));
+    layers.push_back(overlay_layer("hover-dual", hovered->dual, dual_color, size + rim, thick, 0.85));
+  if (hovered) layers.push_back(overlay_layer("hover", hovered->highlight, hover_color, size + rim, 3.5, 0.9));
+  if (!overlay.selected_disks.empty())
+    layers.push_back(overlay_layer("selected-disks", as_disks(overlay.selected_disks), selection_color, size, thick));
+  const Preview_2& preview = overlay.preview;
+  if (preview.disk)
+    layers.push_back(overlay_layer("drawn-disk", as_disks({*preview.disk}), selection_color, size, thick));
+  if (!preview.line.empty()) {
+    layers.push_back(overlay_layer("drawn-line", as_line(preview.line), selection_color, size, preview.disk ? 1 : 2));
+    layers.push_back(overlay_layer("drawn-vertices", as_points(preview.line), selection_color, size, 1));
   }
-  if (!selected.empty()) {
-    const auto points = as_points(selected);
-    overlay.push_back(overlay_layer("selection-rim", points, background, marker_size + 2 * rim, 1));
-    overlay.push_back(overlay_layer("selection", points, selection_color, marker_size + rim, 1));
+  if (!overlay.selected.empty()) {
+    const auto points = as_points(overlay.selected);
+    layers.push_back(overlay_layer("selection-rim", points, overlay.background, size + 2 * rim, 1));
+    layers.push_back(overlay_layer("selection", points, selection_color, size + rim, 1));
   }
-  return overlay;
+  if (!overlay.handles.empty()) {
+    constexpr double handle_size = 12;
+    std::vector<Point_2> places;
+    for (const Disk_handle_2& handle : overlay.handles) places.push_back(handle.position);
+    const auto points = as_points(places);
+    layers.push_back(overlay_layer("handle-rims", points, selection_color, handle_size, 1));
+    layers.push_back(overlay_layer("handles", points, overlay.background, handle_size - 2 * thick, 1));
+  }
+  return layers;
 }
 
 }  // namespace mesecina

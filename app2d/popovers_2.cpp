@@ -10,7 +10,9 @@
 #include <QSpinBox>
 #include <QUuid>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -30,6 +32,9 @@ QSpinBox* make_count(int minimum, int maximum, int value, QWidget* parent, const
   box->setAccessibleName(name);
   return box;
 }
+
+/// To so many significant digits.
+double rounded(double value, int digits) { return QString::number(value, 'g', digits).toDouble(); }
 
 /// Makes each popover a step of undo of its own.
 QString new_merge_key(const QString& kind) { return kind + QUuid::createUuid().toString(); }
@@ -58,7 +63,13 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   const auto order = std::make_shared<Generator_order_2>();
   order->inputs = editor.document().inputs();
   order->box = generator_box(order->inputs, editor.canvas());
-  if (generator.make(*order).empty()) {
+  order->count = generator.usual_count;
+  const double side = std::min(order->box.upper.x - order->box.lower.x, order->box.upper.y - order->box.lower.y);
+  constexpr int digits = 2;
+  order->least_radius = rounded(0.02 * side, digits);
+  order->greatest_radius = rounded(0.08 * side, digits);
+  order->relative_radius = 0.6;
+  if (generated(generator, *order).is_empty()) {
     Q_EMIT editor.failed(QObject::tr("%1: there is nothing to start from; draw or open an outline or points first.")
                              .arg(translated(generator.label)));
     return nullptr;
@@ -69,7 +80,7 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   const bool is_first_data = order->inputs.is_empty();
   const auto insert = [&editor, &generator, order, is_inserting, key, translated, is_first_data] {
     *is_inserting = true;
-    editor.document().edit_inputs(with_points(order->inputs, generator.make(*order)),
+    editor.document().edit_inputs(appended(order->inputs, generated(generator, *order)),
                                   QObject::tr("Insert: %1").arg(translated(generator.label)), key);
     *is_inserting = false;
     if (is_first_data) editor.canvas().fit(bounding_box(editor.document().inputs()));
@@ -80,30 +91,50 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   popover->form()->addRow(tip);
   if (generator.has_count) {
     constexpr int most_points = 1000000;
-    auto* count = make_count(1, most_points, int(order->count), popover, QObject::tr("Number of points"));
+    const bool makes_disks = generator.radii != Radii_2::none;
+    auto* count = make_count(1, most_points, int(order->count), popover,
+                             makes_disks ? QObject::tr("Number of disks") : QObject::tr("Number of points"));
     QObject::connect(count, &QSpinBox::valueChanged, popover, [order, insert](int value) {
       order->count = static_cast<std::size_t>(value);
       insert();
     });
-    popover->form()->addRow(QObject::tr("Points"), count);
+    popover->form()->addRow(makes_disks ? QObject::tr("Disks") : QObject::tr("Points"), count);
+  }
+  const auto add_number = [&](const QString& label, const QString& name, const QString& explanation, double maximum,
+                              double Generator_order_2::*member) {
+    auto* field = new Number_field(popover);
+    field->set_bounds(0, maximum);
+    field->show_value((*order).*member);
+    field->setAccessibleName(name);
+    field->setToolTip(explanation);
+    QObject::connect(field, &Number_field::edited, popover,
+                     [order, insert, member](const std::optional<double>& value) {
+                       (*order).*member = value.value_or(0);
+                       insert();
+                     });
+    popover->form()->addRow(label, field);
+  };
+  constexpr double no_maximum = std::numeric_limits<double>::max();
+  if (generator.radii == Radii_2::between) {
+    const QString explanation = QObject::tr("In units of the data; every radius in between is as likely");
+    add_number(QObject::tr("Least radius"), QObject::tr("Least radius"), explanation, no_maximum,
+               &Generator_order_2::least_radius);
+    add_number(QObject::tr("Greatest radius"), QObject::tr("Greatest radius"), explanation, no_maximum,
+               &Generator_order_2::greatest_radius);
+  } else if (generator.radii == Radii_2::relative) {
+    add_number(QObject::tr("Radius / step"), QObject::tr("Relative radius"),
+               QObject::tr("Radius divided by the distance of neighbouring centers"), no_maximum,
+               &Generator_order_2::relative_radius);
   }
   if (generator.has_amount) {
-    auto* amount = new Number_field(popover);
-    amount->set_bounds(0, 1);
-    amount->show_value(order->amount);
-    amount->setAccessibleName(QObject::tr("Amount of noise"));
-    amount->setToolTip(QObject::tr("Standard deviation, as a fraction of the diagonal"));
-    QObject::connect(amount, &Number_field::edited, popover, [order, insert](const std::optional<double>& value) {
-      order->amount = value.value_or(0);
-      insert();
-    });
-    popover->form()->addRow(QObject::tr("Noise"), amount);
+    add_number(QObject::tr("Noise"), QObject::tr("Amount of noise"),
+               QObject::tr("Standard deviation, as a fraction of the diagonal"), 1, &Generator_order_2::amount);
   }
   if (generator.has_seed) {
     constexpr int most_seeds = 999999;
     auto* seed = make_count(0, most_seeds, int(order->seed), popover, QObject::tr("Seed"));
     seed->setStepType(QAbstractSpinBox::DefaultStepType);
-    seed->setToolTip(QObject::tr("The same seed gives the same points again"));
+    seed->setToolTip(QObject::tr("The same seed gives the same again"));
     QObject::connect(seed, &QSpinBox::valueChanged, popover, [order, insert](int value) {
       order->seed = static_cast<std::uint64_t>(value);
       insert();
@@ -130,7 +161,24 @@ Popover* open_coordinates_popover(Editor_2& editor, QWidget* over) {
   auto* y = new QLineEdit(popover);
   x->setAccessibleName(QStringLiteral("x"));
   y->setAccessibleName(QStringLiteral("y"));
-  const auto show = [x, y, position] {
+  auto* radius = new QLineEdit(popover);
+  radius->setAccessibleName(QObject::tr("Radius"));
+  /// The disk that is edited: the first selected one when no point or vertex is selected before it.
+  const auto disk_index = [&editor]() -> std::optional<std::size_t> {
+    const Selection_2 known = restricted(editor.selection(), editor.document().inputs());
+    const bool is_disk_first = known.points.empty() && known.vertices.empty() && !known.disks.empty();
+    return is_disk_first ? std::optional(known.disks.front()) : std::nullopt;
+  };
+  popover->form()->addRow(QStringLiteral("x"), x);
+  popover->form()->addRow(QStringLiteral("y"), y);
+  popover->form()->addRow(QObject::tr("radius"), radius);
+  const auto show = [&editor, popover, x, y, radius, position, disk_index] {
+    const auto disk = disk_index();
+    popover->form()->setRowVisible(radius, disk.has_value());
+    if (disk) {
+      const auto disks = editor.document().inputs().get(disks_input);
+      radius->setText(QString::fromStdString(format_number((*disks)[*disk].radius)));
+    }
     const auto p = position();
     x->setEnabled(p.has_value());
     y->setEnabled(p.has_value());
@@ -140,24 +188,29 @@ Popover* open_coordinates_popover(Editor_2& editor, QWidget* over) {
   };
   show();
   const QString key = new_merge_key(QStringLiteral("coordinates"));
-  const auto place = [&editor, x, y, show, position, key] {
+  const auto place = [&editor, x, y, radius, show, position, disk_index, key] {
     const auto number_in = [](const QLineEdit* line) { return parse_number(line->text().trimmed().toStdString()); };
     const auto px = number_in(x);
     const auto py = number_in(y);
+    const auto disk = disk_index();
+    const auto r = disk ? number_in(radius) : 0.0;
     const bool is_good = px && py && std::isfinite(*px) && std::isfinite(*py);
-    if (!is_good) {
+    if (!r || !std::isfinite(*r) || *r < 0) {
+      Q_EMIT editor.failed(QObject::tr("Expected a radius of at least 0, found \"%1\".").arg(radius->text()));
+      show();
+    } else if (!is_good) {
       Q_EMIT editor.failed(
           QObject::tr("Expected two numbers such as 1.5, found \"%1\" and \"%2\".").arg(x->text(), y->text()));
       show();
+    } else if (disk) {
+      editor.change_disk(*disk, {{*px, *py}, *r}, key);
     } else if (position()) {
       editor.place({*px, *py}, key);
     }
   };
-  for (QLineEdit* line : {x, y}) QObject::connect(line, &QLineEdit::editingFinished, popover, place);
+  for (QLineEdit* line : {x, y, radius}) QObject::connect(line, &QLineEdit::editingFinished, popover, place);
   QObject::connect(&editor.document(), &Document::changed, popover, show);
   QObject::connect(&editor, &Editor_2::selection_changed, popover, show);
-  popover->form()->addRow(QStringLiteral("x"), x);
-  popover->form()->addRow(QStringLiteral("y"), y);
   popover->open();
   return popover;
 }

@@ -15,11 +15,12 @@ class QSize;
 
 namespace mesecina {
 
-/// Points appear as soon as it opens and follow its numbers; all of that is one step of undo. It closes when something
-/// else changes the inputs. Null, with a message, when the generator finds nothing to start from.
+/// Points or disks appear as soon as it opens and follow its numbers; all of that is one step of undo. It closes when
+/// something else changes the inputs. Null, with a message, when the generator finds nothing to start from.
 Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, QWidget* over);
 
-/// Exact coordinates of the first selected point or vertex. Null when nothing is selected.
+/// Exact coordinates of the first selected point or vertex, or center and radius of the first selected disk. Null when
+/// nothing is selected.
 Popover* open_coordinates_popover(Editor_2& editor, QWidget* over);
 
 /// Asks for the size of a picture; `write` is called with it and whether the background is transparent.
@@ -30,7 +31,8 @@ Popover* open_picture_popover(const QSize& start, QWidget* over,
 Popover* open_layers_popover(const Formats& formats, QWidget* over,
                              std::function<void(const std::vector<std::string>&)> write);
 
-/// Where a generator puts its points: what is in view less a margin, or a box of its own while there is no data.
+/// Where a generator puts its points or centers: what is in view less a margin, or a box of its own while there is no
+/// data.
 Box generator_box(const Inputs& inputs, const Canvas_2& canvas);
 
 }  // namespace mesecina

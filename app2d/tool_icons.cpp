@@ -48,6 +48,11 @@ void paint_icon(QPainter& painter, const QColor& color, Tool_icon icon) {
       for (const QPointF& p : {QPointF(3, 12), QPointF(4.5, 4), QPointF(11, 2.8), QPointF(13.2, 9), QPointF(8.3, 13.3)})
         dot(p.x(), p.y(), 0.9);
       break;
+    case Tool_icon::disk:
+      painter.drawEllipse(QPointF(8, 8), 5.8, 5.8);
+      painter.drawLine(QPointF(8, 8), QPointF(12.1, 3.9));
+      dot(8, 8, 1.2);
+      break;
     case Tool_icon::pan:
       painter.drawLine(QPointF(8, 1.8), QPointF(8, 14.2));
       painter.drawLine(QPointF(1.8, 8), QPointF(14.2, 8));

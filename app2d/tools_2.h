@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QPointF>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,17 @@
 #include "layers/canvas_2.h"
 
 namespace mesecina {
+
+/// What is half done.
+struct Preview_2 {
+  std::vector<Point_2> line;
+  std::optional<Disk_2> disk;
+  QString readout;  ///< a number that is being chosen, shown beside the cursor
+  bool is_empty() const { return line.empty() && !disk && readout.isEmpty(); }
+};
+
+/// "radius 12.5"
+QString radius_readout(double radius);
 
 /// One way to use the left button on the canvas. All of them open the menu with the right one.
 class Tool_2 : public QObject, public Canvas_tool {
@@ -25,8 +37,11 @@ class Tool_2 : public QObject, public Canvas_tool {
   virtual bool cancel() { return false; }
   /// Enter: completes what is half done; false when nothing is.
   virtual bool complete() { return false; }
-  /// A line that is being drawn; empty most of the time.
-  virtual std::vector<Point_2> preview() const { return {}; }
+  virtual Preview_2 preview() const { return {}; }
+  /// True for a tool that resizes selected disks by their handles; they are shown only then.
+  virtual bool uses_handles() const { return false; }
+  /// Whether the wheel, turned by so many degrees, does something else than zoom here.
+  virtual bool wheel(const Canvas_event&, double) { return false; }
 
   bool press(const Canvas_event& event) override;
   bool move(const Canvas_event& event) override;
@@ -46,7 +61,8 @@ class Tool_2 : public QObject, public Canvas_tool {
   Editor_2& editor_;
 };
 
-/// Click selects, drag on something moves the selection, drag elsewhere draws a box, double click adds a point.
+/// Click selects, drag on something moves the selection, drag on a handle of a disk resizes, drag elsewhere draws a
+/// box, double click adds a point. The wheel over a selected disk resizes the selected ones.
 class Select_tool_2 : public Tool_2 {
   Q_OBJECT
  public:
@@ -54,6 +70,9 @@ class Select_tool_2 : public Tool_2 {
   QString hint(const Canvas_event& event) const override;
   Qt::CursorShape cursor(const Canvas_event& event) const override;
   bool cancel() override;
+  Preview_2 preview() const override;
+  bool uses_handles() const override { return true; }
+  bool wheel(const Canvas_event& event, double degrees) override;
   bool release(const Canvas_event& event) override;
   bool double_click(const Canvas_event& event) override;
 
@@ -62,13 +81,14 @@ class Select_tool_2 : public Tool_2 {
   void drag(const Canvas_event& event) override;
 
  private:
-  enum class State { idle, pressed, moving, boxing };
+  enum class State { idle, pressed, moving, resizing, boxing };
   Selection_2 with_box(const Canvas_event& event) const;
 
   State state_ = State::idle;
   Canvas_event start_;
   Selection_2 before_;  ///< the selection at the press
   Selection_2 hit_;
+  std::optional<Disk_handle_2> handle_;  ///< that was pressed
   bool deselects_on_release_ = false;
 };
 
@@ -83,6 +103,18 @@ class Insert_tool_2 : public Tool_2 {
 
  protected:
   bool press_left(const Canvas_event& event) override;
+};
+
+/// Places at equal distances along the way of the mouse.
+class Spray_path_2 {
+ public:
+  void start(const Point_2& position) { last_ = position; }
+  void stop() { last_.reset(); }
+  /// Calls place(position) for each place passed on the way to `position`; nothing before start().
+  void go_to(const Point_2& position, double step, const std::function<void(const Point_2&)>& place);
+
+ private:
+  std::optional<Point_2> last_;
 };
 
 /// Drawing with the mouse leaves points behind, no nearer to each other than the spacing.
@@ -104,7 +136,39 @@ class Spray_tool_2 : public Tool_2 {
 
  private:
   double spacing_ = 12;
-  std::optional<Point_2> last_;
+  Spray_path_2 path_;
+  int gesture_ = 0;
+};
+
+/// A drag from the center to the boundary draws a disk, a click one with the usual radius; a drag with Ctrl sprays such
+/// disks. The wheel over the new disk resizes it.
+class Disk_tool_2 : public Tool_2 {
+  Q_OBJECT
+ public:
+  using Tool_2::Tool_2;
+  QString hint(const Canvas_event& event) const override;
+  Qt::CursorShape cursor(const Canvas_event&) const override { return Qt::CrossCursor; }
+  bool cancel() override;
+  Preview_2 preview() const override;
+  bool wheel(const Canvas_event& event, double degrees) override;
+  bool release(const Canvas_event& event) override;
+  bool double_click(const Canvas_event& event) override { return press(event); }
+  /// Of sprayed disks, from center to center, in logical pixels.
+  void set_spacing(double pixels) { spacing_ = pixels; }
+
+ protected:
+  bool press_left(const Canvas_event& event) override;
+  void drag(const Canvas_event& event) override;
+
+ private:
+  enum class State { idle, pressed, drawing, spraying };
+  void spray(const Point_2& position);
+
+  State state_ = State::idle;
+  Canvas_event start_;
+  Point_2 cursor_;
+  double spacing_ = 12;
+  Spray_path_2 path_;
   int gesture_ = 0;
 };
 
@@ -117,7 +181,7 @@ class Outline_tool_2 : public Tool_2 {
   Qt::CursorShape cursor(const Canvas_event&) const override { return Qt::CrossCursor; }
   bool cancel() override;
   bool complete() override;
-  std::vector<Point_2> preview() const override;
+  Preview_2 preview() const override;
   bool move(const Canvas_event& event) override;
   bool double_click(const Canvas_event& event) override;
 

@@ -20,11 +20,32 @@ Box Primitive_set::bounding_box() const {
     box.add(Point_3{c.x + r, c.y + r, c.z + rz});
   };
   for (const Ball& ball : balls) add_ball(vertices[ball.center], ball.radius);
-  for (const Arc& arc : arcs) add_ball({arc.center.x, arc.center.y, 0}, arc.radius);
+  for (const Arc& arc : arcs) box.add(mesecina::bounding_box(*this, arc));
   if (image) {
     box.add(image->lower_left);
     box.add(Point_2{image->lower_left.x + image->width * image->pixel_size,
                     image->lower_left.y + image->height * image->pixel_size});
+  }
+  return box;
+}
+
+Box bounding_box(const Primitive_set& set, const Arc& arc) {
+  Box box;
+  box.add(set.vertices[arc.from]);
+  box.add(set.vertices[arc.to]);
+  const auto from_center = [&](int vertex) {
+    return Point_2{set.vertices[vertex].x - arc.center.x, set.vertices[vertex].y - arc.center.y};
+  };
+  const auto cross = [](const Point_2& p, const Point_2& q) { return p.x * q.y - p.y * q.x; };
+  const Point_2 start = from_center(arc.counterclockwise ? arc.from : arc.to);
+  const Point_2 end = from_center(arc.counterclockwise ? arc.to : arc.from);
+  const double turn = cross(start, end);
+  const bool is_whole = arc.from == arc.to;
+  if (!is_whole && turn == 0 && start.x * end.x + start.y * end.y >= 0) return box;
+  for (const Point_2& direction : {Point_2{1, 0}, Point_2{0, 1}, Point_2{-1, 0}, Point_2{0, -1}}) {
+    const bool is_passed = is_whole || (turn >= 0 ? cross(start, direction) >= 0 && cross(direction, end) >= 0
+                                                  : cross(end, direction) <= 0 || cross(direction, start) <= 0);
+    if (is_passed) box.add(Point_2{arc.center.x + arc.radius * direction.x, arc.center.y + arc.radius * direction.y});
   }
   return box;
 }
@@ -109,13 +130,12 @@ Primitive_set apply_cut(const Primitive_set& set, const Cut& cut) {
 }
 
 std::optional<Topology> topology(const Primitive_set& set) {
-  if (!set.is_complex || !set.rays.empty() || !set.arcs.empty() || set.polygon_count() != 0 || !set.balls.empty() ||
-      set.dimension != 2)
+  if (!set.is_complex || !set.rays.empty() || set.polygon_count() != 0 || !set.balls.empty() || set.dimension != 2)
     return std::nullopt;
 
   std::vector<bool> used(set.vertices.size(), false);
   std::vector<std::array<int, 2>> edges;
-  edges.reserve(set.segments.size() + 3 * set.triangles.size());
+  edges.reserve(set.segments.size() + 3 * set.triangles.size() + set.arcs.size());
   const auto add_edge = [&](int a, int b) { edges.push_back({std::min(a, b), std::max(a, b)}); };
   for (int v : set.points) used[v] = true;
   for (const auto& s : set.segments) add_edge(s[0], s[1]);
@@ -125,6 +145,7 @@ std::optional<Topology> topology(const Primitive_set& set) {
     std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
+  for (const Arc& arc : set.arcs) add_edge(arc.from, arc.to);
 
   std::vector<int> parent(set.vertices.size());
   std::iota(parent.begin(), parent.end(), 0);

@@ -76,9 +76,13 @@ struct Primitive_set {
   std::int64_t id(std::size_t element) const { return ids.empty() ? static_cast<std::int64_t>(element) : ids[element]; }
   /// Null when there are no values of this name.
   const Values* find_values(std::string_view name) const;
-  /// Of the finite primitives, disks and arcs with their radius.
+  /// Of the finite primitives, disks with their radius. O(size).
   Box bounding_box() const;
 };
+
+/// Smallest box of an arc of the set: of what is drawn of its circle. Coordinates that are no numbers do not count.
+/// O(1).
+Box bounding_box(const Primitive_set& set, const Arc& arc);
 
 /// Which elements of a layer belong to it: those whose value is at least `minimum`.
 /// A filtration's layer holds all elements with their values, and its limit is this cut; so that moving the limit costs
@@ -95,9 +99,10 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep);
 /// The elements the cut keeps; the set itself if it has no values of that name.
 Primitive_set apply_cut(const Primitive_set& set, const Cut& cut);
 
-/// Euler characteristic and Betti numbers of the complex formed by the points, segments and triangles of a set
-/// (their vertices and edges belong to it). nullopt for sets with other primitives or that are no complex.
-/// b2 is always 0 in the plane. O(n α(n)).
+/// Euler characteristic and Betti numbers of the complex formed by the points, segments, arcs and triangles of a set
+/// (their vertices and edges belong to it). An arc is an edge of its own, also beside others between the same vertices,
+/// and a whole circle is a loop. nullopt for sets with other primitives or that are no complex. b2 is always 0 in the
+/// plane. O(n α(n)), with triangles O(n log n).
 struct Topology {
   std::int64_t euler = 0;
   std::array<std::int64_t, 3> betti{};

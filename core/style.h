@@ -23,11 +23,13 @@ struct Color {
 struct Style {
   bool visible = false;
   Color color{40, 40, 40};
-  double opacity = 1;     ///< 0 transparent ... 1
+  double opacity = 1;     ///< 0 transparent ... 1; of filled disks of one colour together, else of each element
   double point_size = 6;  ///< diameter
   double line_width = 1.5;
-  bool filled = false;  ///< disks, triangles and polygons: inside painted; else their outline only
-  std::string value;    ///< the values that choose the colour; empty: `color` for all
+  /// Disks, triangles and polygons: inside painted; else their outline only. Closed curves of arcs: inside painted in
+  /// `color` by the even-odd rule, all of them together, below their outlines.
+  bool filled = false;
+  std::string value;  ///< the values that choose the colour; empty: `color` for all
   std::string color_map = "viridis";
   bool color_map_reversed = false;
   std::optional<double> range_minimum;  ///< of the colour map; absent: smallest finite value

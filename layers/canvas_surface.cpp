@@ -20,7 +20,7 @@ constexpr std::size_t many_elements = 20000;
 constexpr std::size_t many_elements_for_opengl = 40000;
 /// A picture larger or smaller than this tells nothing.
 constexpr double largest_factor = 32;
-/// Per pixel, that the edges of filled polygons are smooth.
+/// Per pixel, that the edges of filled polygons and loops of arcs are smooth.
 constexpr int samples_for_fills = 4;
 constexpr int rest_milliseconds = 120;
 
@@ -41,10 +41,11 @@ bool is_empty(const Canvas_content& content) {
   return true;
 }
 
-bool has_filled_polygons(const std::vector<Scene_layer>& layers) {
+bool has_fills_with_edges(const std::vector<Scene_layer>& layers) {
   return std::any_of(layers.begin(), layers.end(), [](const Scene_layer& layer) {
     return layer.style.visible && layer.style.filled && layer.primitives &&
-           !(layer.primitives->polygon_offsets.empty() && layer.primitives->triangles.empty());
+           !(layer.primitives->polygon_offsets.empty() && layer.primitives->triangles.empty() &&
+             layer.primitives->arcs.empty());
   });
 }
 
@@ -191,7 +192,7 @@ void Gl_surface_2::paint_picture(const Gl_renderer_2::Frame& frame, bool has_fil
 }
 
 void Gl_surface_2::show_picture(const Gl_renderer_2::Frame& frame) {
-  const bool has_fills = has_filled_polygons(content_.scene.layers);
+  const bool has_fills = has_fills_with_edges(content_.scene.layers);
   const bool fits = picture_ && picture_->size() == QSize(frame.width, frame.height) && !is_outdated_;
   const double factor = content_.view.scale / rest_.view.scale;
   // Several samples per pixel cannot be stretched.

@@ -68,9 +68,9 @@ struct Picture_rest {
 class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
  public:
   /// `fail` is called, at most once and perhaps while painting, when OpenGL turns out not to do.
-  /// With several samples per pixel when a graphics card draws. In software there is one, but for filled polygons,
-  /// whose edges are the only ones that need more; and a picture of the scene is kept, so that what changes above it
-  /// costs little. While the view of a very large scene moves, that picture is shown in its place.
+  /// With several samples per pixel when a graphics card draws. In software there is one, but for filled polygons and
+  /// loops of arcs, whose edges are the only ones that need more; and a picture of the scene is kept, so that what
+  /// changes above it costs little. While the view of a very large scene moves, that picture is shown in its place.
   Gl_surface_2(const Canvas_content& content, bool is_software, std::function<void(QString)> fail, QWidget* parent);
   ~Gl_surface_2() override;
 

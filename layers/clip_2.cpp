@@ -169,6 +169,35 @@ std::vector<Pixel_arc> clip_arc(const Pixel_arc& arc, const Pixel_box& box) {
   return pieces;
 }
 
+void append_polyline(const Pixel_arc& arc, const Pixel_box& box, double tolerance, std::vector<Point_2>& points) {
+  struct Piece {
+    double end = 0;  ///< part of the sweep
+    Point_2 to;
+  };
+  constexpr double smallest_part = 1e-9;
+  std::vector<Piece> ahead{{1, arc.to}};
+  double begin = 0;
+  Point_2 from = arc.from;
+  while (!ahead.empty()) {
+    const auto [end, to] = ahead.back();
+    const double angle = std::abs(arc.sweep) * (end - begin);
+    const double half_sine = std::sin(angle / 4);
+    const double height = 2 * arc.radius * half_sine * half_sine;
+    const Pixel_box around{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
+                           std::max(from.y, to.y)};
+    const bool is_fine = height <= tolerance || end - begin < smallest_part;
+    if (is_fine || (angle < full_turn / 4 && !box.meets(around.grown(height)))) {
+      points.push_back(to);
+      begin = end;
+      from = to;
+      ahead.pop_back();
+    } else {
+      const double middle = (begin + end) / 2;
+      ahead.push_back({middle, arc.at(arc.start + arc.sweep * middle)});
+    }
+  }
+}
+
 std::vector<Point_2> clip_disk(const Point_2& center, double radius, const Pixel_box& box) {
   constexpr double tolerance = 0.01;
   std::vector<Point_2> points;

@@ -71,6 +71,21 @@ struct Pixel_rings {
   }
 };
 
+/// An area bounded by polygons and by closed walks along arcs.
+struct Pixel_region {
+  Pixel_rings rings;
+  std::vector<Pixel_arc> arcs;         ///< each starts where the one before it in its loop ends
+  std::vector<std::size_t> loop_ends;  ///< one past the last arc of each loop
+
+  bool is_empty() const { return rings.is_empty() && loop_ends.empty(); }
+  std::size_t loop_count() const { return loop_ends.size(); }
+  std::span<const Pixel_arc> loop(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : loop_ends[i - 1];
+    return std::span(arcs).subspan(begin, loop_ends[i] - begin);
+  }
+  void end_loop() { loop_ends.push_back(arcs.size()); }
+};
+
 /// Nullopt when nothing of it lies in the box.
 std::optional<std::array<Point_2, 2>> clip_segment(const Point_2& from, const Point_2& to, const Pixel_box& box);
 /// `direction` of any positive length.
@@ -79,6 +94,9 @@ std::optional<std::array<Point_2, 2>> clip_ray(const Point_2& from, const Point_
 std::vector<Point_2> clip_ring(std::span<const Point_2> ring, const Pixel_box& box);
 /// The parts of the arc in the box, in its direction.
 std::vector<Pixel_arc> clip_arc(const Pixel_arc& arc, const Pixel_box& box);
+/// Appends the points after arc.from of a polyline along the arc. The area between the two is less than `tolerance`
+/// wide or does not meet the box. O(points), of which there are few outside the box however large the arc is.
+void append_polyline(const Pixel_arc& arc, const Pixel_box& box, double tolerance, std::vector<Point_2>& points);
 /// The disk's part in the box as a convex polygon within 0.01 pixels; empty when there is none.
 std::vector<Point_2> clip_disk(const Point_2& center, double radius, const Pixel_box& box);
 

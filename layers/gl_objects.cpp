@@ -95,6 +95,25 @@ Gl_texture& Gl_texture::operator=(Gl_texture&& other) noexcept {
   return *this;
 }
 
+Gl_target::Gl_target(int width, int height) : width_(width), height_(height) {
+  glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  int shown = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
+  glGenFramebuffers(1, &id_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, id_);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<unsigned>(shown));
+}
+
+Gl_target::~Gl_target() {
+  glDeleteFramebuffers(1, &id_);
+  glDeleteTextures(1, &texture_);
+}
+
 Gl_program::Gl_program(std::initializer_list<std::string_view> vertex,
                        std::initializer_list<std::string_view> fragment) {
   const unsigned vertex_shader = compile(GL_VERTEX_SHADER, vertex);

@@ -48,6 +48,28 @@ class Gl_texture {
   unsigned id_ = 0;
 };
 
+/// A picture to draw into, RGBA, with one sample per pixel and no stencil.
+class Gl_target {
+ public:
+  Gl_target(int width, int height);
+  ~Gl_target();
+  Gl_target(const Gl_target&) = delete;
+  Gl_target& operator=(const Gl_target&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Of the framebuffer.
+  unsigned id() const { return id_; }
+  /// Sharp pixels.
+  unsigned texture() const { return texture_; }
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  unsigned id_ = 0;
+  unsigned texture_ = 0;
+};
+
 class Gl_program {
  public:
   /// The sources are put together. Throws std::runtime_error with the compiler's message.

@@ -11,6 +11,8 @@ namespace mesecina {
 namespace {
 
 constexpr double largest_whole_reach = 131072;  // pixels; 2^17, of which a float still tells 1/128
+/// Pixels, of the area that arcs bound: of a larger one most arcs are far from the view, and need many corners.
+constexpr double largest_whole_arc_size = 32768;
 constexpr double window_screens = 8;
 constexpr double window_zoom_in = 8;
 constexpr double window_zoom_out = 2;
@@ -81,6 +83,17 @@ bool has_same_colors(const Scene_layer& a, const Scene_layer& b) {
   return a.cut == b.cut && style == b.style;
 }
 
+/// `view_reach` is half the diagonal of the picture in units of the plane.
+bool fits(const Window_2& window, const Point_2& center, double scale, double view_reach) {
+  return scale <= window.largest_scale && scale >= window.largest_scale / (window_zoom_in * window_zoom_out) &&
+         std::abs(center.x - window.center.x) + view_reach <= window.half_side &&
+         std::abs(center.y - window.center.y) + view_reach <= window.half_side;
+}
+
+Window_2 window_around(const Point_2& center, double scale, double view_reach) {
+  return {center, window_screens * view_reach, window_zoom_in * scale};
+}
+
 }  // namespace
 
 Element_numbers::Element_numbers(const std::vector<double>& values) {
@@ -145,13 +158,8 @@ Gl_primitives::Batches Gl_primitives::batches(const Primitive_set& set, Part par
     return {&*buffers.whole, nullptr, true};
   }
   const double view_reach = half_diagonal / scale;
-  const auto& window = buffers.window;
-  const bool fits = window && scale <= window->largest_scale &&
-                    scale >= window->largest_scale / (window_zoom_in * window_zoom_out) &&
-                    std::abs(center.x - window->center.x) + view_reach <= window->half_side &&
-                    std::abs(center.y - window->center.y) + view_reach <= window->half_side;
-  if (!fits) {
-    buffers.window = Window_2{center, window_screens * view_reach, window_zoom_in * scale};
+  if (!buffers.window || !fits(*buffers.window, center, scale, view_reach)) {
+    buffers.window = window_around(center, scale, view_reach);
     Cut_out cut_out = cut_out_part(set, part, *buffers.window);
     buffers.near = {};
     buffers.far = {};
@@ -162,6 +170,39 @@ Gl_primitives::Batches Gl_primitives::batches(const Primitive_set& set, Part par
     upload(buffers.far);
   }
   return {&buffers.near, buffers.far.count() > 0 ? &buffers.far : nullptr, false};
+}
+
+void Gl_primitives::upload(const Arc_fill& fill) {
+  arc_fill_->fill = {fill.origin, Gl_buffer(fill.triangles), fill.triangles.size() / 6, Gl_buffer(fill.segments),
+                     fill.runs};
+  uploaded_bytes_ += (fill.triangles.size() + fill.segments.size()) * sizeof(float);
+}
+
+const Gl_arc_fill& Gl_primitives::arc_fill(const Scene_layer& layer, const Point_2& center, double scale,
+                                           double half_diagonal) {
+  const Primitive_set& set = *layer.primitives;
+  std::vector<bool> drawn = drawn_elements(layer);
+  const bool is_new = !arc_fill_ || arc_fill_->drawn != drawn;
+  if (!arc_fill_) {
+    Box box;
+    for (const Arc& arc : set.arcs) box.add(bounding_box(set, arc));
+    arc_fill_.emplace();
+    arc_fill_->reach = farthest_reach(set, Part::arcs, origin_);
+    arc_fill_->size = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
+  }
+  Arc_fill_buffers& buffers = *arc_fill_;
+  if (is_new) buffers.drawn = std::move(drawn);
+  if (buffers.reach * scale <= largest_whole_reach && buffers.size * scale <= largest_whole_arc_size) {
+    if (is_new || buffers.window) upload(whole_arc_fill(set, buffers.drawn, origin_));
+    buffers.window.reset();
+    return buffers.fill;
+  }
+  const double view_reach = half_diagonal / scale;
+  if (is_new || !buffers.window || !fits(*buffers.window, center, scale, view_reach)) {
+    buffers.window = window_around(center, scale, view_reach);
+    upload(cut_out_arc_fill(set, buffers.drawn, *buffers.window));
+  }
+  return buffers.fill;
 }
 
 const Element_numbers* Gl_primitives::numbers(const Primitive_set& set, const std::string& name) {

@@ -9,6 +9,7 @@
 
 #include "core/style.h"
 #include "layers/color_map.h"
+#include "layers/gl_arc_fill_2.h"
 #include "layers/gl_geometry_2.h"
 #include "layers/gl_objects.h"
 
@@ -56,6 +57,15 @@ struct Gl_batch {
   int count() const { return static_cast<int>(instances.elements.size()); }
 };
 
+/// The uploaded area that arcs bound.
+struct Gl_arc_fill {
+  Point_2 origin;
+  Gl_buffer triangles;
+  std::size_t triangle_count = 0;
+  Gl_buffer segments;
+  std::vector<Segment_run> runs;  ///< of the segments
+};
+
 /// The buffers of one Primitive_set, each uploaded when it is first drawn.
 ///
 /// A part is uploaded whole if float coordinates place it within a hundredth of a pixel. If not (a deep zoom, a far
@@ -75,6 +85,9 @@ class Gl_primitives {
   };
   /// For the view: `scale` device pixels per unit and `half_diagonal` device pixels from the middle to a corner.
   Batches batches(const Primitive_set& set, Part part, const Point_2& center, double scale, double half_diagonal);
+  /// The area that the drawn arcs bound, for a view as above. It is uploaded anew when other arcs are drawn, and like
+  /// the parts above when the view needs another window.
+  const Gl_arc_fill& arc_fill(const Scene_layer& layer, const Point_2& center, double scale, double half_diagonal);
   /// Null when the set has no values of this name.
   const Element_numbers* numbers(const Primitive_set& set, const std::string& name);
   /// Numbers and ranks per instance. `name` must be of values of the set, or "" for a colour of its own each.
@@ -98,11 +111,20 @@ class Gl_primitives {
     Gl_batch near;
     Gl_batch far;
   };
+  struct Arc_fill_buffers {
+    std::vector<bool> drawn;  ///< the elements whose area this is
+    double reach = 0;
+    double size = 0;  ///< of the arcs' box, the longer side
+    std::optional<Window_2> window;
+    Gl_arc_fill fill;
+  };
   void upload(Gl_batch& batch);
+  void upload(const Arc_fill& fill);
 
   std::weak_ptr<const Primitive_set> set_;
   Point_2 origin_;
   std::map<Part, Part_buffers> parts_;
+  std::optional<Arc_fill_buffers> arc_fill_;
   std::map<std::string, Element_numbers, std::less<>> numbers_;
   std::optional<Gl_texture> image_;
   Scene_layer range_layer_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "layers/color_map.h"
@@ -32,6 +33,7 @@ constexpr std::array segment_sizes{4};
 constexpr std::array circle_sizes{3, 2};
 constexpr std::array triangle_sizes{4, 2};
 constexpr std::array far_circle_sizes{4, 4, 4, 1};
+constexpr std::array circular_segment_sizes{4, 3, 2};
 using Sizes = std::span<const int>;
 
 std::array<float, 4> to_floats(const Color& color, double alpha) {
@@ -43,6 +45,50 @@ std::array<float, 4> to_floats(const Color& color, double alpha) {
 int pieces_of_circle(double radius, bool filled) {
   if (radius < (filled ? 40 : 16)) return 1;
   return std::clamp(static_cast<int>(std::ceil(1.6 * std::sqrt(radius))), 6, 64);
+}
+
+void bind_attribute(unsigned location, unsigned buffer, int size, int stride, std::size_t offset) {
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glEnableVertexAttribArray(location);
+  // OpenGL takes an offset in the guise of a pointer.
+  glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, stride * static_cast<int>(sizeof(float)),
+                        reinterpret_cast<const void*>(offset * sizeof(float)));
+  glVertexAttribDivisor(location, 1);
+}
+
+void bind_geometry(unsigned buffer, Sizes sizes, std::size_t first) {
+  int stride = 0;
+  for (int size : sizes) stride += size;
+  std::size_t offset = first * static_cast<std::size_t>(stride);
+  unsigned location = first_geometry_location;
+  for (int size : sizes) {
+    bind_attribute(location++, buffer, size, stride, offset);
+    offset += static_cast<std::size_t>(size);
+  }
+  for (; location < end_of_locations; ++location) glDisableVertexAttribArray(location);
+}
+
+void bind_no_attributes() {
+  for (unsigned location = 0; location < end_of_locations; ++location) {
+    glDisableVertexAttribArray(location);
+    glVertexAttrib1f(location, 0);
+  }
+}
+
+/// Turns the mark of every sample over that a shape covers; paints nothing.
+void begin_parity() {
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(1);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glStencilFunc(GL_ALWAYS, 0, 1);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+}
+
+/// Paints marked samples, and wipes the mark of those painted, so that none is painted twice.
+void paint_parity() {
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glStencilFunc(GL_EQUAL, 1, 1);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
 }
 
 struct Color_map_texture {
@@ -70,8 +116,12 @@ struct Gl_renderer_2::State {
   Gl_program far_circles{{shaders::element_vert, shaders::far_circle_vert},
                          {shaders::coverage_frag, shaders::far_circle_frag}};
   Gl_program triangles{{shaders::element_vert, shaders::triangle_vert}, {shaders::coverage_frag, shaders::flat_frag}};
+  Gl_program circular_segments{{shaders::element_vert, shaders::circular_segment_vert},
+                               {shaders::coverage_frag, shaders::flat_frag}};
+  Gl_program covers{{shaders::cover_vert}, {shaders::coverage_frag, shaders::flat_frag}};
   Gl_program images{{shaders::cover_vert}, {shaders::image_frag}};
   unsigned vertex_array = 0;
+  std::optional<Gl_target> disks;  ///< translucent ones of one layer, drawn opaque before they are painted together
 
   std::map<const Primitive_set*, Gl_primitives> primitives;
   std::map<std::string, Color_map_texture, std::less<>> color_maps;
@@ -108,7 +158,10 @@ struct Gl_renderer_2::State {
   void draw_image(const Image& image, unsigned texture, double opacity);
   void draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part);
   void draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Gl_batch& batch);
-  void begin_program(Gl_program& program, const Scene_layer& layer, const Look& look, const Gl_batch& batch);
+  void draw_disks_evenly(const Scene_layer& layer, const Look& look, Gl_primitives& buffers);
+  void draw_arc_fill(const Scene_layer& layer, Gl_primitives& buffers);
+  void place_by(Gl_program& program, const Point_2& origin);
+  void begin_program(Gl_program& program, const Scene_layer& layer, const Look& look, const Point_2& origin);
   void bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers, Gl_batch& batch, Sizes sizes,
                   std::size_t first);
 };
@@ -169,15 +222,18 @@ Gl_renderer_2::State::Look Gl_renderer_2::State::look_of(const Scene_layer& laye
   return look;
 }
 
-void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer& layer, const Look& look,
-                                         const Gl_batch& batch) {
-  const Style& style = layer.style;
-  const Point_2& origin = batch.instances.origin;
-  program.use();
+void Gl_renderer_2::State::place_by(Gl_program& program, const Point_2& origin) {
   program.set("half_size", std::array{frame.width / 2.0F, frame.height / 2.0F});
   program.set("scale", static_cast<float>(scale));
   program.set("offset", std::array{static_cast<float>((origin.x - view.center.x) * scale),
                                    static_cast<float>((origin.y - view.center.y) * scale)});
+}
+
+void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer& layer, const Look& look,
+                                         const Point_2& origin) {
+  const Style& style = layer.style;
+  program.use();
+  place_by(program, origin);
   program.set("threshold_ranks", look.threshold_ranks);
   program.set("lowest_cut_rank", look.lowest_cut_rank);
   program.set("color_rule", static_cast<int>(look.rule));
@@ -197,17 +253,9 @@ void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer&
 
 void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers,
                                       Gl_batch& batch, Sizes sizes, std::size_t first) {
-  const auto attribute = [](unsigned location, unsigned buffer, int size, int stride, std::size_t offset) {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glEnableVertexAttribArray(location);
-    // OpenGL takes an offset in the guise of a pointer.
-    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, stride * static_cast<int>(sizeof(float)),
-                          reinterpret_cast<const void*>(offset * sizeof(float)));
-    glVertexAttribDivisor(location, 1);
-  };
   const auto scalar = [&](unsigned location, bool used, const std::string& name, std::size_t place) {
     if (used) {
-      attribute(location, buffers.number_buffer(set, batch, name), 1, 2, 2 * first + place);
+      bind_attribute(location, buffers.number_buffer(set, batch, name), 1, 2, 2 * first + place);
     } else {
       glDisableVertexAttribArray(location);
       glVertexAttrib1f(location, 0);
@@ -216,21 +264,13 @@ void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Look& look
   scalar(0, look.rule != Color_rule::one_color, look.number, 0);
   scalar(1, !look.threshold.empty(), look.threshold, 1);
   scalar(2, !look.cut.empty(), look.cut, 1);
-  int stride = 0;
-  for (int size : sizes) stride += size;
-  std::size_t offset = first * static_cast<std::size_t>(stride);
-  unsigned location = first_geometry_location;
-  for (int size : sizes) {
-    attribute(location++, batch.geometry.id(), size, stride, offset);
-    offset += static_cast<std::size_t>(size);
-  }
-  for (; location < end_of_locations; ++location) glDisableVertexAttribArray(location);
+  bind_geometry(batch.geometry.id(), sizes, first);
 }
 
 void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers,
                                          Gl_batch& batch) {
   const Primitive_set& set = *layer.primitives;
-  begin_program(triangles, layer, look, batch);
+  begin_program(triangles, layer, look, batch.instances.origin);
   for (const Polygon_run& run : buffers.runs(layer, batch)) {
     bind_batch(set, look, buffers, batch, triangle_sizes, run.first);
     const auto draw = [&] { glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<int>(run.count)); };
@@ -238,19 +278,62 @@ void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Look& l
       draw();
       continue;
     }
-    glEnable(GL_STENCIL_TEST);
-    glStencilMask(1);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glStencilFunc(GL_ALWAYS, 0, 1);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+    begin_parity();
     draw();
-    // The first triangle over a sample inside paints it and wipes the mark, so that none is painted twice.
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glStencilFunc(GL_EQUAL, 1, 1);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    paint_parity();
     draw();
     glDisable(GL_STENCIL_TEST);
   }
+}
+
+void Gl_renderer_2::State::draw_arc_fill(const Scene_layer& layer, Gl_primitives& buffers) {
+  const Gl_arc_fill& fill = buffers.arc_fill(layer, view.center, scale, std::hypot(frame.width, frame.height) / 2);
+  if (fill.triangle_count == 0 && fill.runs.empty()) return;
+  bind_no_attributes();
+  begin_parity();
+  if (fill.triangle_count > 0) {
+    begin_program(triangles, layer, {}, fill.origin);
+    bind_geometry(fill.triangles.id(), triangle_sizes, 0);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, static_cast<int>(fill.triangle_count));
+  }
+  circular_segments.use();
+  place_by(circular_segments, fill.origin);
+  for (const Segment_run& run : fill.runs) {
+    const int corners = corners_of_segment(run, scale);
+    if (corners < 3) continue;
+    circular_segments.set("corners", corners);
+    bind_geometry(fill.segments.id(), circular_segment_sizes, run.first);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3 * (corners - 2), static_cast<int>(run.count));
+  }
+  paint_parity();
+  covers.use();
+  covers.set("rectangle", std::array{-1.0F, -1.0F, 1.0F, 1.0F});
+  covers.set("color", to_floats(layer.style.color, layer.style.opacity));
+  bind_no_attributes();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_STENCIL_TEST);
+}
+
+void Gl_renderer_2::State::draw_disks_evenly(const Scene_layer& layer, const Look& look, Gl_primitives& buffers) {
+  int shown = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
+  if (!disks || disks->width() != frame.width || disks->height() != frame.height)
+    disks.emplace(frame.width, frame.height);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, disks->id());
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  Scene_layer opaque = layer;
+  opaque.style.opacity = 1;
+  draw_part(opaque, look, buffers, Part::balls);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<unsigned>(shown));
+  images.use();
+  images.set("rectangle", std::array{-1.0F, -1.0F, 1.0F, 1.0F});
+  images.set("texture_rectangle", std::array{0.0F, 0.0F, 1.0F, 1.0F});
+  images.set("color", to_floats({}, layer.style.opacity));
+  images.set("image", 0);
+  glBindTexture(GL_TEXTURE_2D, disks->texture());
+  bind_no_attributes();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part) {
@@ -266,27 +349,27 @@ void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look,
   if (near && near->count() > 0) {
     switch (part) {
       case Part::points:
-        begin_program(points, layer, look, *near);
+        begin_program(points, layer, look, near->instances.origin);
         draw(points, *near, point_sizes, GL_TRIANGLE_STRIP, 4);
         break;
       case Part::segments:
       case Part::triangle_edges:
       case Part::polygon_edges:
       case Part::rays:
-        begin_program(segments, layer, look, *near);
+        begin_program(segments, layer, look, near->instances.origin);
         segments.set("is_ray", part == Part::rays && is_whole);
         draw(segments, *near, segment_sizes, GL_TRIANGLE_STRIP, 4);
         break;
       case Part::arcs:
       case Part::balls: {
-        begin_program(circles, layer, look, *near);
+        begin_program(circles, layer, look, near->instances.origin);
         if (part == Part::arcs) circles.set("filled", false);
         const int pieces = pieces_of_circle(near->typical_radius * scale, part == Part::balls && layer.style.filled);
         draw(circles, *near, circle_sizes, GL_TRIANGLE_STRIP, 2 * pieces + 2);
         break;
       }
       case Part::triangles:
-        begin_program(triangles, layer, look, *near);
+        begin_program(triangles, layer, look, near->instances.origin);
         draw(triangles, *near, triangle_sizes, GL_TRIANGLES, 3);
         break;
       case Part::polygons:
@@ -295,7 +378,7 @@ void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look,
     }
   }
   if (far) {
-    begin_program(far_circles, layer, look, *far);
+    begin_program(far_circles, layer, look, far->instances.origin);
     if (part == Part::arcs) far_circles.set("filled", false);
     constexpr int pieces = 32;
     draw(far_circles, *far, far_circle_sizes, GL_TRIANGLE_STRIP, 2 * pieces + 2);
@@ -324,7 +407,7 @@ void Gl_renderer_2::State::draw_image(const Image& image, unsigned texture, doub
   images.set("color", four(0, 0, 0, opacity));
   images.set("image", 0);
   glBindTexture(GL_TEXTURE_2D, texture);
-  for (unsigned location = 0; location < end_of_locations; ++location) glDisableVertexAttribArray(location);
+  bind_no_attributes();
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
@@ -337,8 +420,15 @@ void Gl_renderer_2::State::draw_layer(const Scene_layer& layer) {
   const Look look = look_of(layer, buffers);
   const Part polygon_part = style.filled ? Part::polygons : Part::polygon_edges;
   const Part triangle_part = style.filled ? Part::triangles : Part::triangle_edges;
-  for (Part part : {Part::balls, polygon_part, triangle_part, Part::arcs, Part::rays, Part::segments, Part::points})
-    draw_part(layer, look, buffers, part);
+  const bool are_disks_united = style.filled && style.opacity < 1 && look.rule == Color_rule::one_color;
+  if (are_disks_united && !set.balls.empty()) {
+    draw_disks_evenly(layer, look, buffers);
+  } else {
+    draw_part(layer, look, buffers, Part::balls);
+  }
+  for (Part part : {polygon_part, triangle_part}) draw_part(layer, look, buffers, part);
+  if (style.filled && !set.arcs.empty()) draw_arc_fill(layer, buffers);
+  for (Part part : {Part::arcs, Part::rays, Part::segments, Part::points}) draw_part(layer, look, buffers, part);
 }
 
 Gl_renderer_2::Gl_renderer_2() {

@@ -79,12 +79,7 @@ class Painter_sink : public Shape_sink {
     flush();
     QPainterPath path;
     path.setFillRule(odd_even ? Qt::OddEvenFill : Qt::WindingFill);
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      const auto ring = rings.ring(i);
-      path.moveTo(to_qt(ring[0]));
-      for (const Point_2& p : ring.subspan(1)) path.lineTo(to_qt(p));
-      path.closeSubpath();
-    }
+    append_rings(path, rings);
     const bool neighbours_differ = !uniform_;
     const bool opaque = style_->opacity >= 1;
     set_brush(color);
@@ -95,6 +90,20 @@ class Painter_sink : public Shape_sink {
     painter_.setRenderHint(QPainter::Antialiasing, !neighbours_differ || opaque);
     painter_.drawPath(path);
     painter_.setRenderHint(QPainter::Antialiasing, true);
+  }
+
+  void region(const Pixel_region& region, bool odd_even, Color color) override {
+    flush();
+    QPainterPath path;
+    path.setFillRule(odd_even ? Qt::OddEvenFill : Qt::WindingFill);
+    append_rings(path, region.rings);
+    for (std::size_t i = 0; i < region.loop_count(); ++i) {
+      path.moveTo(to_qt(region.loop(i)[0].from));
+      for (const Pixel_arc& arc : region.loop(i)) append_arc(path, arc);
+      path.closeSubpath();
+    }
+    set_brush(color);
+    painter_.drawPath(path);
   }
 
   void disk(const Point_2& center, double radius, Color color) override {
@@ -124,8 +133,7 @@ class Painter_sink : public Shape_sink {
     flush();
     set_pen(color);
     QPainterPath path(to_qt(arc.from));
-    for (const Bezier& curve : to_beziers(arc))
-      path.cubicTo(to_qt(curve.control_1), to_qt(curve.control_2), to_qt(curve.to));
+    append_arc(path, arc);
     if (arc.is_whole_circle()) path.closeSubpath();
     painter_.drawPath(path);
   }
@@ -137,6 +145,20 @@ class Painter_sink : public Shape_sink {
   }
 
  private:
+  static void append_rings(QPainterPath& path, const Pixel_rings& rings) {
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      const auto ring = rings.ring(i);
+      path.moveTo(to_qt(ring[0]));
+      for (const Point_2& p : ring.subspan(1)) path.lineTo(to_qt(p));
+      path.closeSubpath();
+    }
+  }
+
+  static void append_arc(QPainterPath& path, const Pixel_arc& arc) {
+    for (const Bezier& curve : to_beziers(arc))
+      path.cubicTo(to_qt(curve.control_1), to_qt(curve.control_2), to_qt(curve.to));
+  }
+
   void paint_pixels(const Image& image, const Pixel_box& place, double pixel, int left, int right, int top,
                     int bottom) {
     painter_.save();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "layers/arc_loops.h"
+
 namespace mesecina {
 namespace {
 
@@ -31,6 +33,7 @@ class Layer_sender {
     send_balls();
     send_polygons();
     send_triangles();
+    send_arc_region();
     send_arcs();
     send_rays();
     send_segments();
@@ -50,6 +53,9 @@ class Layer_sender {
   }
 
   void send_balls() {
+    // Translucent disks of one colour are one area: overlaps are no darker than the rest.
+    const bool are_united = style_.filled && style_.opacity < 1 && colors_.is_uniform();
+    Pixel_region united;
     for (std::size_t i = 0; i < set_.balls.size(); ++i) {
       const std::size_t element = first_ball_ + i;
       if (!is_drawn(element)) continue;
@@ -57,7 +63,14 @@ class Layer_sender {
       const double radius = set_.balls[i].radius * page_.view.scale;
       const Pixel_box box = Pixel_box{center.x, center.y, center.x, center.y}.grown(radius);
       if (!(radius > 0) || !std::isfinite(radius) || !shown_.meets(box)) continue;
-      if (radius <= page_.reach) {
+      if (are_united) {
+        if (radius <= page_.reach) {
+          united.arcs.push_back(whole_circle(center, radius));
+          united.end_loop();
+        } else {
+          united.rings.add(clip_disk(center, radius, shown_));
+        }
+      } else if (radius <= page_.reach) {
         if (style_.filled) {
           sink_.disk(center, radius, colors_(element));
         } else {
@@ -72,6 +85,7 @@ class Layer_sender {
           sink_.arc(piece, colors_(element));
       }
     }
+    if (!united.is_empty()) sink_.region(united, false, style_.color);
   }
 
   /// False when nothing of the ring is on the page.
@@ -147,15 +161,63 @@ class Layer_sender {
     flush_area(false, color);
   }
 
+  Point_2 to_page(const Point_2& p) const { return page_.view.to_pixel(p, page_.width, page_.height); }
+
+  Pixel_box to_page(const Box& box) const {
+    const Point_2 lower = to_page(Point_2{box.lower.x, box.lower.y});
+    const Point_2 upper = to_page(Point_2{box.upper.x, box.upper.y});
+    return {lower.x, upper.y, upper.x, lower.y};
+  }
+
+  Pixel_arc to_page(const Pixel_arc& planar) const {
+    return {to_page(planar.center), planar.radius * page_.view.scale,
+            -planar.start,          -planar.sweep,
+            to_page(planar.from),   to_page(planar.to)};
+  }
+
+  void send_arc_region() {
+    if (!style_.filled || set_.arcs.empty()) return;
+    constexpr double tolerance = 0.01;
+    Pixel_region region;
+    std::vector<Point_2> ring;
+    const Arc_loops loops = closed_loops(set_, drawn_);
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      Box box;
+      double largest_radius = 0;
+      for (const Arc_step& step : loops.loop(i)) {
+        const Arc& arc = set_.arcs[static_cast<std::size_t>(step.arc)];
+        box.add(bounding_box(set_, arc));
+        largest_radius = std::max(largest_radius, arc.radius * page_.view.scale);
+      }
+      const Pixel_box place = to_page(box);
+      if (!shown_.meets(place)) continue;
+      const bool is_whole = largest_radius <= page_.reach && reached_.contains(place);
+      ring.clear();
+      for (const Arc_step& step : loops.loop(i)) {
+        const Pixel_arc arc = to_page(planar_arc(set_, step));
+        if (is_whole) {
+          region.arcs.push_back(arc);
+        } else {
+          append_polyline(arc, shown_, tolerance, ring);
+        }
+      }
+      if (is_whole) {
+        region.end_loop();
+      } else {
+        region.rings.add(clip_ring(ring, reached_));
+      }
+    }
+    if (!region.is_empty()) sink_.region(region, true, style_.color);
+  }
+
   void send_arcs() {
     for (std::size_t i = 0; i < set_.arcs.size(); ++i) {
       const std::size_t element = first_arc_ + i;
       if (!is_drawn(element)) continue;
       const Arc& arc = set_.arcs[i];
-      const Point_2 center = page_.view.to_pixel(arc.center, page_.width, page_.height);
+      const Point_2 center = to_page(arc.center);
       const double radius = arc.radius * page_.view.scale;
-      const Pixel_box box = Pixel_box{center.x, center.y, center.x, center.y}.grown(radius);
-      if (!(radius > 0) || !std::isfinite(radius) || !shown_.meets(box)) continue;
+      if (!(radius > 0) || !std::isfinite(radius) || !shown_.meets(to_page(bounding_box(set_, arc)))) continue;
       const bool whole = arc.from == arc.to;
       const Color color = colors_(element);
       if (whole && radius <= page_.reach) {

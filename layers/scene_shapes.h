@@ -20,6 +20,8 @@ class Shape_sink {
   virtual void image(const Image& image, const Pixel_box& place) = 0;
   /// Filled; `odd_even` or else by the winding number. All elements of one colour that touch come in one call.
   virtual void area(const Pixel_rings& rings, bool odd_even, Color color) = 0;
+  /// Filled in one even tone, whatever its parts cover twice; `odd_even` or else by the winding number.
+  virtual void region(const Pixel_region& region, bool odd_even, Color color) = 0;
   virtual void disk(const Point_2& center, double radius, Color color) = 0;
   virtual void circle(const Point_2& center, double radius, Color color) = 0;
   virtual void outline(std::span<const Point_2> ring, Color color) = 0;

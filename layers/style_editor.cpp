@@ -125,12 +125,14 @@ void Style_editor::build_color_row(QGridLayout* grid) {
   const int em = fontMetrics().height();
   color_button_->setIconSize(QSize(em * 5 / 4, em * 3 / 4));
   filled_box_ = new QCheckBox(tr("Filled"), box);
-  filled_box_->setToolTip(tr("Paint the inside of disks, triangles and polygons; else only their outline"));
+  filled_box_->setToolTip(
+      tr("Paint the inside of disks, triangles, polygons and closed curves of arcs; else only their outline"));
   layout->addWidget(color_button_, 1);
   layout->addSpacing(em / 2);
   layout->addWidget(filled_box_);
   add_row(grid, tr("Colour"), box, tr("Colour of all elements that no value gives one"))->setBuddy(color_button_);
-  filled_box_->setToolTip(tr("Paint the inside of disks, triangles and polygons; else only their outline"));
+  filled_box_->setToolTip(
+      tr("Paint the inside of disks, triangles, polygons and closed curves of arcs; else only their outline"));
   connect(color_button_, &QPushButton::clicked, this, &Style_editor::open_color_dialog);
   connect(filled_box_, &QCheckBox::clicked, this, [this] {
     filled_box_->setTristate(false);

@@ -154,6 +154,23 @@ class Svg_sink : public Shape_sink {
     element_path(path, color);
   }
 
+  void region(const Pixel_region& region, bool odd_even, Color color) override {
+    end_kind();
+    std::string path;
+    for (std::size_t i = 0; i < region.rings.size(); ++i) append_ring(path, region.rings.ring(i));
+    for (std::size_t i = 0; i < region.loop_count(); ++i) {
+      append_point(path, 'M', region.loop(i)[0].from);
+      for (const Pixel_arc& arc : region.loop(i)) append_arc(path, arc);
+      path += 'Z';
+    }
+    out_ += "<path";
+    append(out_, "fill", hex(color));
+    if (!opaque_) append(out_, "fill-opacity", style_->opacity);
+    append(out_, "fill-rule", odd_even ? "evenodd" : "nonzero");
+    append(out_, "d", path);
+    out_ += "/>\n";
+  }
+
   void disk(const Point_2& center, double radius, Color color) override {
     begin_kind(Kind::disks);
     element_circle(center, radius, "fill", color);
@@ -182,13 +199,11 @@ class Svg_sink : public Shape_sink {
 
   void arc(const Pixel_arc& arc, Color color) override {
     begin_kind(Kind::curves);
-    if (merges()) {
-      append_arc(merged_, arc);
-      return;
-    }
     std::string path;
-    append_arc(path, arc);
-    element_path(path, color);
+    std::string& target = merges() ? merged_ : path;
+    append_point(target, 'M', arc.from);
+    append_arc(target, arc);
+    if (!merges()) element_path(path, color);
   }
 
   void segment(const Point_2& from, const Point_2& to, Color color) override {
@@ -266,8 +281,8 @@ class Svg_sink : public Shape_sink {
     path += 'Z';
   }
 
+  /// After its first point.
   static void append_arc(std::string& path, const Pixel_arc& arc) {
-    append_point(path, 'M', arc.from);
     if (arc.radius > reach) {
       for (const Bezier& curve : to_beziers(arc)) {
         append_point(path, 'C', curve.control_1);
@@ -276,15 +291,23 @@ class Svg_sink : public Shape_sink {
       }
       return;
     }
-    path += 'A';
-    append_number(path, arc.radius);
-    path += ' ';
-    append_number(path, arc.radius);
-    path += " 0 ";
-    path += std::abs(arc.sweep) > std::numbers::pi ? '1' : '0';
-    path += ' ';
-    path += arc.sweep > 0 ? '1' : '0';
-    append_point(path, ' ', arc.to);
+    const auto append_part = [&](double sweep, const Point_2& to) {
+      path += 'A';
+      append_number(path, arc.radius);
+      path += ' ';
+      append_number(path, arc.radius);
+      path += " 0 ";
+      path += std::abs(sweep) > std::numbers::pi ? '1' : '0';
+      path += ' ';
+      path += sweep > 0 ? '1' : '0';
+      append_point(path, ' ', to);
+    };
+    if (arc.is_whole_circle()) {
+      append_part(arc.sweep / 2, {2 * arc.center.x - arc.from.x, 2 * arc.center.y - arc.from.y});
+      append_part(arc.sweep / 2, arc.to);
+    } else {
+      append_part(arc.sweep, arc.to);
+    }
   }
 
   std::string& out_;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/regular_2/power_predicates.h"
 
-#include <CGAL/Uncertain.h>
-#include <CGAL/predicates/kernel_ftC2.h>
-
 #include <cmath>
 
 namespace mesecina {
@@ -12,6 +9,26 @@ namespace {
 
 /// Direct-mapped: decisions about one place ask for the same few disks again and again.
 constexpr std::size_t cache_size = 4096;
+
+using Nearest_rounding = CGAL::Protect_FPU_rounding<true>;
+
+template <class Number>
+auto sign_of(const Number& number) {
+  if constexpr (std::is_same_v<Number, Double_double>) {
+    return number.sign();
+  } else {
+    return CGAL::sign(number);
+  }
+}
+
+template <class Number>
+Number square_of(const Number& number) {
+  if constexpr (std::is_same_v<Number, Double_double>) {
+    return number * number;
+  } else {
+    return CGAL::square(number);
+  }
+}
 
 template <class Number>
 struct Circle {
@@ -29,12 +46,12 @@ Circle<Number> circumcircle(const Point_2& p, const Point_2& q, const Point_2& r
   const Number qy = Number(q.y) - py;
   const Number rx = Number(r.x) - px;
   const Number ry = Number(r.y) - py;
-  const Number q2 = CGAL_NTS square(qx) + CGAL_NTS square(qy);
-  const Number r2 = CGAL_NTS square(rx) + CGAL_NTS square(ry);
-  const Number twice_cross = 2 * (qx * ry - qy * rx);
+  const Number q2 = square_of(qx) + square_of(qy);
+  const Number r2 = square_of(rx) + square_of(ry);
+  const Number twice_cross = Number(2) * (qx * ry - qy * rx);
   const Number cx = (ry * q2 - qy * r2) / twice_cross;
   const Number cy = (qx * r2 - rx * q2) / twice_cross;
-  return {px + cx, py + cy, CGAL_NTS square(cx) + CGAL_NTS square(cy)};
+  return {px + cx, py + cy, square_of(cx) + square_of(cy)};
 }
 
 bool is_bounded(const CGAL::Interval_nt<false>& interval) {
@@ -44,31 +61,45 @@ bool is_bounded(const CGAL::Interval_nt<false>& interval) {
 }  // namespace
 
 Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_(cache_size) {
-  const Upward_rounding rounding;
   intervals_.reserve(balls.size());
-  for (std::size_t b = 0; b < balls.size(); ++b) {
-    if (!balls.is_circumscribed()) {
+  if (!balls.is_circumscribed()) {
+    const Upward_rounding rounding;
+    for (std::size_t b = 0; b < balls.size(); ++b)
       intervals_.push_back(
-          {Interval(balls.centers[b].x), Interval(balls.centers[b].y), CGAL_NTS square(Interval(balls.radii[b]))});
-      continue;
-    }
-    const auto contacts = balls.contacts_of(static_cast<int>(b));
-    const auto& samples = *balls.samples;
-    const auto circle = circumcircle<Interval>(samples[contacts[0]], samples[contacts[1]], samples[contacts[2]]);
+          {Interval(balls.centers[b].x), Interval(balls.centers[b].y), CGAL::square(Interval(balls.radii[b]))});
+    return;
+  }
+  precise_.reserve(balls.size());
+  const auto corner = [&](std::size_t ball, int i) -> const Point_2& {
+    return (*balls.samples)[balls.contacts_of(static_cast<int>(ball))[i]];
+  };
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    const auto circle = circumcircle<Double_double>(corner(b, 0), corner(b, 1), corner(b, 2));
+    precise_.push_back({circle.x, circle.y, circle.squared_radius});
+  }
+  const Upward_rounding rounding;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    const auto circle = circumcircle<Interval>(corner(b, 0), corner(b, 1), corner(b, 2));
     if (is_bounded(circle.x) && is_bounded(circle.y) && is_bounded(circle.squared_radius)) {
       intervals_.push_back({circle.x, circle.y, circle.squared_radius});
     } else {
       const Lifted<Rational> value = compute_exact(static_cast<int>(b));
-      intervals_.push_back({Interval(CGAL_NTS to_interval(value.x)), Interval(CGAL_NTS to_interval(value.y)),
-                            Interval(CGAL_NTS to_interval(value.w))});
+      intervals_.push_back({Interval(CGAL::to_interval(value.x)), Interval(CGAL::to_interval(value.y)),
+                            Interval(CGAL::to_interval(value.w))});
     }
   }
+}
+
+Power_predicates::Lifted<Double_double> Power_predicates::precise(int ball) const {
+  if (balls_.is_circumscribed()) return precise_[ball];
+  return {Double_double(balls_.centers[ball].x), Double_double(balls_.centers[ball].y),
+          square_of(Double_double(balls_.radii[ball]))};
 }
 
 Power_predicates::Lifted<Power_predicates::Rational> Power_predicates::compute_exact(int ball) const {
   if (!balls_.is_circumscribed())
     return {Rational(balls_.centers[ball].x), Rational(balls_.centers[ball].y),
-            CGAL_NTS square(Rational(balls_.radii[ball]))};
+            square_of(Rational(balls_.radii[ball]))};
   const auto contacts = balls_.contacts_of(ball);
   const auto& samples = *balls_.samples;
   auto circle = circumcircle<Rational>(samples[contacts[0]], samples[contacts[1]], samples[contacts[2]]);
@@ -88,114 +119,123 @@ bool Power_predicates::have_common_contact(std::initializer_list<int> disks) con
   return balls_.is_circumscribed() && balls_.common_contact({disks.begin(), disks.size()}) >= 0;
 }
 
-template <class Function>
-auto Power_predicates::decide(const Function& function, std::initializer_list<int> disks) const {
-  const int* d = disks.begin();
-  const auto is_sure = [](const auto& answer) { return CGAL::is_certain(answer); };
-  const auto at = [&](int i) -> const Lifted<Interval>& { return intervals_[d[i]]; };
-  if constexpr (std::is_invocable_v<Function, Lifted<Interval>, Lifted<Interval>>) {
-    if (const auto answer = function(at(0), at(1)); is_sure(answer)) return CGAL::get_certain(answer);
-    const Lifted<Rational> a = exact(d[0]);
-    return function(a, exact(d[1]));
-  } else if constexpr (std::is_invocable_v<Function, Lifted<Interval>, Lifted<Interval>, Lifted<Interval>>) {
-    if (const auto answer = function(at(0), at(1), at(2)); is_sure(answer)) return CGAL::get_certain(answer);
-    const Lifted<Rational> a = exact(d[0]);
-    const Lifted<Rational> b = exact(d[1]);
-    return function(a, b, exact(d[2]));
-  } else {
-    if (const auto answer = function(at(0), at(1), at(2), at(3)); is_sure(answer)) return CGAL::get_certain(answer);
-    const Lifted<Rational> a = exact(d[0]);
-    const Lifted<Rational> b = exact(d[1]);
-    const Lifted<Rational> c = exact(d[2]);
-    return function(a, b, c, exact(d[3]));
+template <class Function, class... Disks>
+CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) const {
+  if (const auto sign = function(intervals_[disks]...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
+  {
+    const Nearest_rounding rounding(CGAL_FE_TONEAREST);
+    if (const auto sign = function(precise(disks)...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
   }
+  return function(Lifted<Rational>(exact(disks))...);
 }
 
 CGAL::Comparison_result Power_predicates::compare_x(int a, int b) const {
-  return decide([](const auto& p, const auto& q) { return CGAL_NTS compare(p.x, q.x); }, {a, b});
+  return decide(
+      [](const auto& p, const auto& q) {
+        using Number = std::decay_t<decltype(p.x)>;
+        return sign_of(Number(p.x - q.x));
+      },
+      a, b);
 }
 
 CGAL::Comparison_result Power_predicates::compare_y(int a, int b) const {
-  return decide([](const auto& p, const auto& q) { return CGAL_NTS compare(p.y, q.y); }, {a, b});
+  return decide(
+      [](const auto& p, const auto& q) {
+        using Number = std::decay_t<decltype(p.x)>;
+        return sign_of(Number(p.y - q.y));
+      },
+      a, b);
 }
 
 CGAL::Orientation Power_predicates::orientation(int a, int b, int c) const {
   return decide(
-      [](const auto& p, const auto& q, const auto& r) { return CGAL::orientationC2(p.x, p.y, q.x, q.y, r.x, r.y); },
-      {a, b, c});
+      [](const auto& p, const auto& q, const auto& r) {
+        using Number = std::decay_t<decltype(p.x)>;
+        return sign_of(Number((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)));
+      },
+      a, b, c);
 }
 
 CGAL::Orientation Power_predicates::orientation(int a, int b, const Point_2& point) const {
   return decide(
       [&point](const auto& p, const auto& q) {
         using Number = std::decay_t<decltype(p.x)>;
-        return CGAL::orientationC2(p.x, p.y, q.x, q.y, Number(point.x), Number(point.y));
+        return sign_of(Number((q.x - p.x) * (Number(point.y) - p.y) - (q.y - p.y) * (Number(point.x) - p.x)));
       },
-      {a, b});
+      a, b);
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int c, int d) const {
   if (have_common_contact({a, b, c, d})) return CGAL::ON_ORIENTED_BOUNDARY;
-  return CGAL::enum_cast<CGAL::Oriented_side>(decide(
+  return decide(
       [](const auto& p, const auto& q, const auto& r, const auto& t) {
         using Number = std::decay_t<decltype(p.x)>;
-        const auto lift = [&t](const auto& of, const Number& x, const Number& y) -> Number {
-          return CGAL_NTS square(x) + CGAL_NTS square(y) - of.w + t.w;
-        };
         const Number px = p.x - t.x;
         const Number py = p.y - t.y;
         const Number qx = q.x - t.x;
         const Number qy = q.y - t.y;
         const Number rx = r.x - t.x;
         const Number ry = r.y - t.y;
-        return CGAL::sign_of_determinant<Number>(px, py, lift(p, px, py), qx, qy, lift(q, qx, qy), rx, ry,
-                                                 lift(r, rx, ry));
+        const Number p2 = square_of(px) + square_of(py) - p.w + t.w;
+        const Number q2 = square_of(qx) + square_of(qy) - q.w + t.w;
+        const Number r2 = square_of(rx) + square_of(ry) - r.w + t.w;
+        return sign_of(Number((px * qy - py * qx) * r2 + (qx * ry - qy * rx) * p2 + (rx * py - ry * px) * q2));
       },
-      {a, b, c, d}));
+      a, b, c, d);
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int d) const {
   if (have_common_contact({a, b, d})) return CGAL::ON_ORIENTED_BOUNDARY;
-  return CGAL::enum_cast<CGAL::Oriented_side>(-conflict_sign(a, b, d));
+  return -conflict_sign(a, b, d);
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int d) const {
   return decide(
-      [](const auto& p, const auto& t) { return CGAL::enum_cast<CGAL::Oriented_side>(CGAL_NTS compare(t.w, p.w)); },
-      {a, d});
+      [](const auto& p, const auto& t) {
+        using Number = std::decay_t<decltype(p.x)>;
+        return sign_of(Number(t.w - p.w));
+      },
+      a, d);
 }
 
 CGAL::Comparison_result Power_predicates::compare_power_distance(int at, int a, int b) const {
   return decide(
       [](const auto& o, const auto& p, const auto& q) {
-        return CGAL_NTS compare(CGAL_NTS square(p.x - o.x) + CGAL_NTS square(p.y - o.y) - p.w,
-                                CGAL_NTS square(q.x - o.x) + CGAL_NTS square(q.y - o.y) - q.w);
+        using Number = std::decay_t<decltype(p.x)>;
+        const Number px = p.x - o.x;
+        const Number py = p.y - o.y;
+        const Number qx = q.x - o.x;
+        const Number qy = q.y - o.y;
+        return sign_of(Number(square_of(px) + square_of(py) - p.w - square_of(qx) - square_of(qy) + q.w));
       },
-      {at, a, b});
+      at, a, b);
 }
 
 CGAL::Sign Power_predicates::size_sign(int a, double alpha) const {
   if (alpha >= 0) return alpha == 0 && balls_.radii[a] == 0 ? CGAL::ZERO : CGAL::NEGATIVE;
   return decide(
-      [alpha](const auto& p, const auto&) {
+      [alpha](const auto& p) {
         using Number = std::decay_t<decltype(p.x)>;
-        return CGAL_NTS sign(-p.w - Number(alpha));
+        return sign_of(Number(-p.w - Number(alpha)));
       },
-      {a, a});
+      a);
 }
 
 CGAL::Sign Power_predicates::size_sign(int a, int b, double alpha) const {
   return decide(
       [alpha](const auto& p, const auto& q) {
         using Number = std::decay_t<decltype(p.x)>;
-        const Number d2 = CGAL_NTS square(q.x - p.x) + CGAL_NTS square(q.y - p.y);
-        return CGAL_NTS sign(CGAL_NTS square(d2 + p.w - q.w) - 4 * d2 * (p.w + Number(alpha)));
+        const Number x = q.x - p.x;
+        const Number y = q.y - p.y;
+        const Number d2 = square_of(x) + square_of(y);
+        const Number s = d2 + p.w - q.w;
+        return sign_of(Number(square_of(s) - Number(4) * d2 * (p.w + Number(alpha))));
       },
-      {a, b});
+      a, b);
 }
 
 CGAL::Sign Power_predicates::size_sign(int a, int b, int c, double alpha) const {
-  if (have_common_contact({a, b, c})) return CGAL_NTS sign(-alpha);
+  if (have_common_contact({a, b, c})) return CGAL::sign(-alpha);
   return decide(
       [alpha](const auto& p, const auto& q, const auto& r) {
         using Number = std::decay_t<decltype(p.x)>;
@@ -203,23 +243,25 @@ CGAL::Sign Power_predicates::size_sign(int a, int b, int c, double alpha) const 
         const Number qy = q.y - p.y;
         const Number rx = r.x - p.x;
         const Number ry = r.y - p.y;
-        const Number q2 = CGAL_NTS square(qx) + CGAL_NTS square(qy) - q.w + p.w;
-        const Number r2 = CGAL_NTS square(rx) + CGAL_NTS square(ry) - r.w + p.w;
+        const Number q2 = square_of(qx) + square_of(qy) - q.w + p.w;
+        const Number r2 = square_of(rx) + square_of(ry) - r.w + p.w;
         const Number cross = qx * ry - qy * rx;
-        return CGAL_NTS sign(CGAL_NTS square(q2 * ry - r2 * qy) + CGAL_NTS square(r2 * qx - q2 * rx) -
-                             4 * CGAL_NTS square(cross) * (p.w + Number(alpha)));
+        const Number x = q2 * ry - r2 * qy;
+        const Number y = r2 * qx - q2 * rx;
+        return sign_of(Number(square_of(x) + square_of(y) - Number(4) * square_of(cross) * (p.w + Number(alpha))));
       },
-      {a, b, c});
+      a, b, c);
 }
 
 CGAL::Sign Power_predicates::conflict_sign(int a, int d) const {
   return decide(
       [](const auto& p, const auto& t) {
         using Number = std::decay_t<decltype(p.x)>;
-        const Number distance = CGAL_NTS square(t.x - p.x) + CGAL_NTS square(t.y - p.y);
-        return CGAL_NTS sign(distance - t.w + p.w);
+        const Number x = t.x - p.x;
+        const Number y = t.y - p.y;
+        return sign_of(Number(square_of(x) + square_of(y) - t.w + p.w));
       },
-      {a, d});
+      a, d);
 }
 
 CGAL::Sign Power_predicates::conflict_sign(int a, int b, int d) const {
@@ -230,11 +272,11 @@ CGAL::Sign Power_predicates::conflict_sign(int a, int b, int d) const {
         const Number qy = q.y - p.y;
         const Number tx = t.x - p.x;
         const Number ty = t.y - p.y;
-        const Number d2 = CGAL_NTS square(qx) + CGAL_NTS square(qy);
-        return CGAL_NTS sign(d2 * (CGAL_NTS square(tx) + CGAL_NTS square(ty) + p.w - t.w) -
-                             (d2 + p.w - q.w) * (qx * tx + qy * ty));
+        const Number d2 = square_of(qx) + square_of(qy);
+        const Number t2 = square_of(tx) + square_of(ty);
+        return sign_of(Number(d2 * (t2 + p.w - t.w) - (d2 + p.w - q.w) * (qx * tx + qy * ty)));
       },
-      {a, b, d});
+      a, b, d);
 }
 
 }  // namespace mesecina

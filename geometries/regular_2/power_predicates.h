@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "geometries/balls_2/balls_2.h"
+#include "geometries/regular_2/double_double.h"
 
 namespace mesecina {
 
-/// Exact decisions about disks, named by their index. Intervals decide what they can, rationals the rest; that circles
-/// of circumscribed disks meet in a common sample is never computed. The weight of a disk is its squared radius.
+/// Exact decisions about disks, named by their index. Intervals decide what they can, then numbers of 100 bits,
+/// rationals the rest; that circles of circumscribed disks meet in a common sample is never computed. The weight of a
+/// disk is its squared radius.
 ///
 /// Not thread-safe. All members but the constructor require that rounding is upwards, see `Upward_rounding`.
 class Power_predicates {
@@ -66,12 +68,14 @@ class Power_predicates {
   const Lifted<Rational>& exact(int ball) const;
   Lifted<Rational> compute_exact(int ball) const;
   bool have_common_contact(std::initializer_list<int> disks) const;
-  /// `function` applied to the disks as intervals or, if that is not certain, as rationals.
-  template <class Function>
-  auto decide(const Function& function, std::initializer_list<int> disks) const;
+  Lifted<Double_double> precise(int ball) const;
+  /// The sign that `function` gives, with the disks in the least precision that is certain.
+  template <class Function, class... Disks>
+  CGAL::Sign decide(const Function& function, Disks... disks) const;
 
   const Balls_2& balls_;
   std::vector<Lifted<Interval>> intervals_;
+  std::vector<Lifted<Double_double>> precise_;  ///< of circumscribed disks
   mutable std::vector<Cached> cache_;
 };
 

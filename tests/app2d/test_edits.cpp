@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "app2d/edits_2.h"
 
 namespace mesecina {
@@ -67,6 +69,46 @@ TEST(Edits2, SelectionsThatPointBeyondTheDataAreIgnored) {
   EXPECT_EQ(positions(sample(), wild), (std::vector<Point_2>{{10, 0}}));
   EXPECT_EQ(moved(sample(), wild, 1, 0).get(points_input)->at(1), (Point_2{11, 0}));
   EXPECT_EQ(without(sample(), wild).get(points_input)->size(), 2u);
+}
+
+Inputs with_three_disks() {
+  return sample().with(disks_input, std::vector<Disk_2>{{{0, -20}, 5}, {{20, -20}, 5}, {{20, -20}, 1}});
+}
+
+TEST(Edits2, DisksAreFoundByCenterAndElseByBoundary) {
+  EXPECT_EQ(nearest(with_three_disks(), {}, {0.5, -20}, 1), (Selection_2{{}, {}, {0}}));
+  EXPECT_EQ(nearest(with_three_disks(), {}, {0, -14.5}, 1), (Selection_2{{}, {}, {0}}));
+  EXPECT_TRUE(nearest(with_three_disks(), {}, {0, -17.5}, 1).is_empty());
+  // A center comes before a boundary, and of equal centers the first.
+  EXPECT_EQ(nearest(with_three_disks(), {}, {20, -19}, 1.5), (Selection_2{{}, {}, {1}}));
+  EXPECT_EQ(nearest(with_three_disks(), {}, {20, -19}, 0.5), (Selection_2{{}, {}, {2}}));
+  EXPECT_TRUE(nearest(with_three_disks(), {true, true, false}, {0, -20}, 1).is_empty());
+}
+
+TEST(Edits2, DisksAreMovedResizedRemovedAndCopied) {
+  const Inputs start = with_three_disks();
+  const Selection_2 selection{{}, {}, {0, 2, 99}};
+  const auto disks = [](const Inputs& inputs) { return *inputs.get(disks_input); };
+  EXPECT_EQ(disks(moved(start, selection, 1, 2)), (std::vector<Disk_2>{{{1, -18}, 5}, {{20, -20}, 5}, {{21, -18}, 1}}));
+  EXPECT_EQ(disks(resized(start, selection, 2)), (std::vector<Disk_2>{{{0, -20}, 10}, {{20, -20}, 5}, {{20, -20}, 2}}));
+  EXPECT_EQ(disks(resized(start, selection, 0)), disks(start));
+  EXPECT_EQ(disks(resized(start, selection, std::numeric_limits<double>::infinity())), disks(start));
+  EXPECT_EQ(disks(without(start, selection)), (std::vector<Disk_2>{{{20, -20}, 5}}));
+  EXPECT_EQ(without(start, {{}, {}, {0, 1, 2}}).get(disks_input), nullptr);
+  EXPECT_EQ(disks(with_disk(start, 1, {{7, 7}, 7}))[1], (Disk_2{{7, 7}, 7}));
+  const auto [copied, copies] = duplicated(start, selection, 1, 0);
+  EXPECT_EQ(copies, (Selection_2{{}, {}, {3, 4}}));
+  EXPECT_EQ(disks(copied)[4], (Disk_2{{21, -20}, 1}));
+  EXPECT_EQ(positions(start, {{1}, {}, {1}}), (std::vector<Point_2>{{10, 0}, {20, -20}}));
+  EXPECT_EQ(disks(placed(start, {{}, {}, {1}}, {3, 4}))[1], (Disk_2{{3, 4}, 5}));
+}
+
+TEST(Edits2, TablesOfPointsAndDisksComeApart) {
+  EXPECT_EQ(to_table({}, {{{0.1, 2}, 1.0 / 3}}), "0.1 2 0.3333333333333333\n");
+  const std::string both = to_table({{1, 2}}, {{{3, 4}, 5}});
+  EXPECT_EQ(both, "x y\n1 2\nx y radius\n3 4 5\n");
+  EXPECT_EQ(table_parts(both), (std::vector<std::string>{"x y\n1 2\n", "\n\nx y radius\n3 4 5\n"}));
+  EXPECT_EQ(table_parts("1 2\r\n3 4"), (std::vector<std::string>{"1 2\n3 4\n"}));
 }
 
 TEST(Edits2, TableIsExact) {

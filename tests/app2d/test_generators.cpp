@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app2d/generators_2.h"
+#include "shell/document.h"
 
 namespace mesecina {
 namespace {
@@ -27,9 +28,14 @@ Generator_order_2 order(std::size_t count) {
 
 TEST(Generators2, GiveAsManyPointsAsAskedWithinTheBox) {
   for (const Generator_2& each : generators_2()) {
-    const auto points = each.make(order(97));
     if (!each.has_count) continue;
+    const Inputs made = generated(each, order(97));
+    std::vector<Point_2> points;
+    if (const auto given = made.get(points_input)) points = *given;
+    if (const auto disks = made.get(disks_input))
+      for (const Disk_2& disk : *disks) points.push_back(disk.center);
     EXPECT_EQ(points.size(), 97u) << each.id;
+    EXPECT_EQ(made.get(disks_input) != nullptr, each.radii != Radii_2::none) << each.id;
     if (each.id == "on-outline") continue;
     for (const Point_2& p : points) {
       EXPECT_GT(p.x, -30) << each.id;
@@ -44,8 +50,8 @@ TEST(Generators2, AreRepeatableAndDependOnTheSeed) {
   for (const Generator_2& each : generators_2()) {
     Generator_order_2 other = order(50);
     other.seed = 2;
-    EXPECT_EQ(each.make(order(50)), each.make(order(50))) << each.id;
-    EXPECT_EQ(each.make(order(50)) != each.make(other), each.has_seed) << each.id;
+    EXPECT_TRUE(same_data(generated(each, order(50)), generated(each, order(50)))) << each.id;
+    EXPECT_EQ(!same_data(generated(each, order(50)), generated(each, other)), each.has_seed) << each.id;
   }
 }
 
@@ -102,6 +108,44 @@ TEST(Generators2, NoiseHasTheAmountAskedFor) {
   double squares = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) squares += squared_distance(points[i], {0, 0});
   EXPECT_NEAR(std::sqrt(squares / 2 / static_cast<double>(points.size() - 1)), 0.02 * 5, 0.005);
+}
+
+TEST(Generators2, RadiiOfRandomDisksAreInTheirRange) {
+  Generator_order_2 wanted = order(2000);
+  wanted.least_radius = 3;
+  wanted.greatest_radius = 4;
+  double least = 4;
+  double greatest = 3;
+  for (const Disk_2& disk : generator("random-disks").make_disks(wanted)) {
+    EXPECT_GE(disk.radius, 3);
+    EXPECT_LE(disk.radius, 4);
+    least = std::min(least, disk.radius);
+    greatest = std::max(greatest, disk.radius);
+  }
+  EXPECT_LT(least, 3.01);
+  EXPECT_GT(greatest, 3.99);
+  // The order of the two does not matter.
+  std::swap(wanted.least_radius, wanted.greatest_radius);
+  for (const Disk_2& disk : generator("random-disks").make_disks(wanted)) EXPECT_TRUE(disk.radius >= 3);
+}
+
+TEST(Generators2, GridDisksOfHalfTheStepTouchExactly) {
+  const auto disks = generator("grid-of-disks").make_disks(order(25));
+  ASSERT_EQ(disks.size(), 25u);
+  EXPECT_EQ(disks[1].center.x - disks[0].center.x, disks[0].radius + disks[1].radius);
+  EXPECT_EQ(disks[0].center.y, disks[1].center.y);
+}
+
+TEST(Generators2, ARingOfDisksHasAHole) {
+  Generator_order_2 wanted = order(12);
+  wanted.relative_radius = 0.6;
+  const auto disks = generator("ring-of-disks").make_disks(wanted);
+  ASSERT_EQ(disks.size(), 12u);
+  const Point_2 center{46.3, 51.5};
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    EXPECT_LT(distance(disks[i].center, disks[(i + 1) % 12].center), 2 * disks[i].radius);
+    EXPECT_GT(distance(disks[i].center, center), disks[i].radius);
+  }
 }
 
 TEST(Generators2, HaveNothingToStartFromInAnEmptyPlane) {

@@ -209,7 +209,7 @@ TEST_F(Window_fixture, HiddenThingsCannotBeGrabbed) {
 }
 
 TEST_F(Window_fixture, TableShowsAndEditsExactCoordinates) {
-  Points_table_2& table = window().points_table();
+  Input_table_2& table = window().points_table();
   for (QWidget* widget = &table; widget; widget = widget->parentWidget()) widget->show();
   table.parentWidget()->raise();
   ASSERT_TRUE(wait_until([&] { return table.isVisible(); }));

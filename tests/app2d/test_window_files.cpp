@@ -170,12 +170,48 @@ TEST_F(Files, OnlyTheFirstFilesCannotBeUndone) {
   EXPECT_EQ(points(), (std::vector<Point_2>{{7, 7}}));
 }
 
-TEST_F(Files, DisksAloneLeaveNoEmptyCanvasWithoutAWord) {
+TEST_F(Files, DisksAreShownWithoutAWord) {
   drop({write("disks.csv", "x,y,r\n1,2,3\n4,5,6\n")});
   ASSERT_NE(document().inputs().get(disks_input), nullptr);
-  ASSERT_EQ(window().messages().lines().size(), 1);
-  EXPECT_TRUE(window().messages().lines().front().contains("no layer"));
+  EXPECT_TRUE(window().messages().lines().isEmpty());
   EXPECT_TRUE(window().layer_notes().lines().isEmpty());
+  ASSERT_TRUE(wait_until_current("disks"));
+  EXPECT_EQ(window().computation().primitives("disks")->balls.size(), 2u);
+}
+
+TEST_F(Files, DisksAreSavedAndReadExactly) {
+  drop({write("in.csv", "x,y,r\n0.1,1e-300,0.30000000000000004\n-7,123456789.12345679,5e-324\n")});
+  const auto read = *document().inputs().get(disks_input);
+  for (const char* name : {"out.wpoff", "out.csv"}) {
+    const QString path = folder_.filePath(name);
+    ASSERT_TRUE(window().files().save_to(path));
+    EXPECT_FALSE(document().is_modified());
+    trigger("new");
+    window().files().open({path}, false);
+    ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+    ASSERT_NE(document().inputs().get(disks_input), nullptr) << name;
+    EXPECT_EQ(*document().inputs().get(disks_input), read) << name;
+  }
+  drop({write("more.wpoff", "WPOFF 1 0 0\n1 2 3\n")}, Qt::ControlModifier);
+  EXPECT_EQ(document().inputs().get(disks_input)->size(), 3u);
+  drop({write("more.wpoff", "WPOFF 1 0 0\n1 2 3\n")});
+  EXPECT_EQ(*document().inputs().get(disks_input), (std::vector<Disk_2>{{{1, 2}, 3}}));
+}
+
+TEST_F(Files, NeverLosesDisksOrPointsSilently) {
+  const QString path = write("in.xy", "0 0\n1 1\n");
+  drop({path});
+  window().editor().add_disk({{5, 5}, 1});
+  trigger("save");
+  EXPECT_EQ(content(path), "0 0\n1 1\n");
+  EXPECT_TRUE(document().is_modified());
+  ASSERT_EQ(window().messages().lines().size(), 1);
+  EXPECT_TRUE(window().messages().lines().front().contains("disks and points"));
+  EXPECT_FALSE(window().files().save_to(folder_.filePath("both.wpoff")));
+  EXPECT_FALSE(QFile::exists(folder_.filePath("both.wpoff")));
+  EXPECT_TRUE(window().files().save_part_to(folder_.filePath("part.wpoff"), "disks"));
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_EQ(content(folder_.filePath("part.wpoff")), "WPOFF 1 0 0\n5 5 1\n");
 }
 
 TEST_F(Files, CancelledReadingChangesNothing) {

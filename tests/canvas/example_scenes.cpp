@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example_scenes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace mesecina {
 
@@ -79,6 +82,120 @@ std::shared_ptr<Primitive_set> areas() {
   add_polygon(*set, {{10, 8}, {45, 8}, {45, 24}, {12, 22}});
   add_polygon(*set, {{20, 11}, {35, 11}, {33, 18}});
   for (int i = 0; i < 5; ++i) set->balls.push_back({add_vertex(*set, 15 + 12 * i, 55), 2.0 + 2 * i});
+  number_elements(*set);
+  return set;
+}
+
+void add_union_boundary(Primitive_set& set, const std::vector<Disk_2>& disks) {
+  struct Crossing {
+    double angle = 0;
+    int vertex = 0;
+  };
+  std::vector<std::size_t> by_left(disks.size());
+  for (std::size_t i = 0; i < disks.size(); ++i) by_left[i] = i;
+  std::sort(by_left.begin(), by_left.end(), [&](std::size_t i, std::size_t j) {
+    return disks[i].center.x - disks[i].radius < disks[j].center.x - disks[j].radius;
+  });
+  std::vector<std::vector<std::size_t>> neighbours(disks.size());
+  for (std::size_t a = 0; a < by_left.size(); ++a) {
+    const Disk_2& disk = disks[by_left[a]];
+    for (std::size_t b = a + 1; b < by_left.size(); ++b) {
+      const Disk_2& other = disks[by_left[b]];
+      if (other.center.x - other.radius > disk.center.x + disk.radius) break;
+      if (distance(disk.center, other.center) >= disk.radius + other.radius) continue;
+      neighbours[by_left[a]].push_back(by_left[b]);
+      neighbours[by_left[b]].push_back(by_left[a]);
+    }
+  }
+  const auto is_inside_another = [&](std::size_t i, const Point_2& p, std::size_t but) {
+    return std::any_of(neighbours[i].begin(), neighbours[i].end(),
+                       [&](std::size_t j) { return j != but && distance(p, disks[j].center) < disks[j].radius; });
+  };
+  // Of two circles, the crossing to the left of the way from one to the other.
+  std::map<std::pair<std::size_t, std::size_t>, int> vertices;
+  for (std::size_t i = 0; i < disks.size(); ++i) {
+    const auto& [center, radius] = disks[i];
+    const auto at = [&, c = center, r = radius](double angle) {
+      return Point_2{c.x + r * std::cos(angle), c.y + r * std::sin(angle)};
+    };
+    std::vector<Crossing> crossings;
+    for (const std::size_t j : neighbours[i]) {
+      const double away = distance(center, disks[j].center);
+      if (away <= std::abs(radius - disks[j].radius)) continue;
+      const double half =
+          std::acos((away * away + radius * radius - disks[j].radius * disks[j].radius) / (2 * away * radius));
+      const double middle = std::atan2(disks[j].center.y - center.y, disks[j].center.x - center.x);
+      for (const bool left : {true, false}) {
+        const double angle = left ? middle + half : middle - half;
+        if (is_inside_another(i, at(angle), j)) continue;
+        const auto [known, is_new] = vertices.try_emplace(left ? std::pair(i, j) : std::pair(j, i), 0);
+        if (is_new) known->second = add_vertex(set, at(angle).x, at(angle).y);
+        crossings.push_back({angle - 2 * std::numbers::pi * std::floor(angle / (2 * std::numbers::pi)), known->second});
+      }
+    }
+    if (crossings.empty()) {
+      if (is_inside_another(i, at(0), i)) continue;
+      const int start = add_vertex(set, at(0).x, at(0).y);
+      set.arcs.push_back({center, radius, start, start, true});
+      continue;
+    }
+    std::sort(crossings.begin(), crossings.end(),
+              [](const Crossing& a, const Crossing& b) { return a.angle < b.angle; });
+    for (std::size_t k = 0; k < crossings.size(); ++k) {
+      const Crossing& from = crossings[k];
+      Crossing to = crossings[(k + 1) % crossings.size()];
+      if (k + 1 == crossings.size()) to.angle += 2 * std::numbers::pi;
+      if (!is_inside_another(i, at((from.angle + to.angle) / 2), i))
+        set.arcs.push_back({center, radius, from.vertex, to.vertex, true});
+    }
+  }
+}
+
+std::shared_ptr<Primitive_set> closed_arcs() {
+  auto set = std::make_shared<Primitive_set>();
+  std::vector<Disk_2> ring;
+  for (int i = 0; i < 9; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 9;
+    ring.push_back({{22 + 14 * std::cos(angle), 22 + 14 * std::sin(angle)}, 5 + 0.3 * i});
+  }
+  ring.push_back({{22, 22}, 3});
+  add_union_boundary(*set, ring);
+  add_union_boundary(*set, {{{50, 15}, 8}, {{60, 18}, 6}, {{53, 26}, 5}, {{58, 15}, 1}});
+
+  const auto add_lens = [&](const Point_2& center, double half_length, double half_width) {
+    const double radius = (half_length * half_length + half_width * half_width) / (2 * half_width);
+    const int left = add_vertex(*set, center.x - half_length, center.y);
+    const int right = add_vertex(*set, center.x + half_length, center.y);
+    set->arcs.push_back({{center.x, center.y + radius - half_width}, radius, left, right, true});
+    set->arcs.push_back({{center.x, center.y - radius + half_width}, radius, left, right, false});
+  };
+  add_lens({82, 10}, 14, 4);
+  add_lens({82, 20}, 14, 0.08);
+
+  const auto add_circle = [&](const Point_2& center, double radius, int vertex) {
+    set->arcs.push_back({center, radius, vertex, vertex, set->arcs.size() % 2 == 0});
+  };
+  for (const double radius : {12.0, 9.0, 6.0, 2.5}) add_circle({82, 38}, radius, add_vertex(*set, 82, 38 + radius));
+
+  const int touching = add_vertex(*set, 20, 60);
+  add_circle({20, 68}, 8, touching);
+  add_circle({20, 64}, 4, touching);
+  add_circle({20, 53}, 7, touching);
+
+  const int middle = add_vertex(*set, 50, 60);
+  const int right = add_vertex(*set, 58, 60);
+  const int left = add_vertex(*set, 42, 60);
+  set->arcs.push_back({{54, 60}, 4, middle, right, true});
+  set->arcs.push_back({{46, 60}, 4, left, middle, true});
+  set->arcs.push_back({{54, 57}, 5, right, middle, true});
+  set->arcs.push_back({{46, 63}, 5, left, middle, true});
+
+  add_arc(*set, {75, 66}, 8, 30, 300, true);
+  const int fork = add_vertex(*set, 92, 60);
+  const int top = add_vertex(*set, 92, 76);
+  set->arcs.push_back({{92, 68}, 8, fork, top, true});
+  set->arcs.push_back({{92, 68}, 8, fork, top, false});
+  set->arcs.push_back({{72, 68}, std::sqrt(464.0), fork, top, true});
   number_elements(*set);
   return set;
 }

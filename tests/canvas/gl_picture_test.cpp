@@ -2,61 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <QOpenGLWidget>
-#include <QPainter>
 #include <QTest>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "example_scenes.h"
-#include "layers/canvas_2.h"
-#include "layers/canvas_surface.h"
-#include "layers/painter_canvas.h"
+#include "gl_picture_fixture.h"
 #include "picture_comparison.h"
+#include "layers/canvas_surface.h"
 
 namespace mesecina {
 namespace {
-
-constexpr int width = 640;
-constexpr int height = 480;
-const View_2 whole{{50, 40}, 5.5};
-
-QImage painted(const Scene& scene, const View_2& view, double ratio = 1) {
-  QImage image((QSizeF(width, height) * ratio).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(ratio);
-  QPainter painter(&image);
-  paint_scene(painter, scene, view, width, height);
-  paint_color_bars(painter, scene, width, height);
-  return image;
-}
-
-class Gl_picture : public testing::Test {
- protected:
-  void SetUp() override {
-    canvas_.resize(width, height);
-    canvas_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas_));
-    ASSERT_TRUE(canvas_.uses_opengl()) << canvas_.backend_name().toStdString();
-  }
-
-  QImage drawn(const Scene& scene, const View_2& view) {
-    canvas_.set_scene(scene);
-    canvas_.set_view(view);
-    return canvas_.grab_picture();
-  }
-
-  /// That OpenGL and the painter agree, and that there is something to see.
-  void compare(const Scene& scene, const View_2& view, const std::string& name) {
-    const QImage out = drawn(scene, view);
-    const QImage expected = painted(scene, view, canvas_.devicePixelRatioF());
-    EXPECT_TRUE(same_picture(out, expected, name));
-    QImage blank(expected.size(), QImage::Format_RGB32);
-    blank.fill(Qt::white);
-    EXPECT_NE(expected, blank) << name << " shows nothing";
-  }
-
-  Canvas_2 canvas_{Canvas_2::Backend::opengl};
-};
 
 TEST_F(Gl_picture, EveryKindOfPrimitive) { compare(example_scene(), whole, "every_kind"); }
 

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <cmath>
+#include <utility>
 
 #include "layers/picture_formats.h"
 #include "tests/layers/example_scene.h"
@@ -223,15 +224,69 @@ TEST(Painter_canvas, images_lie_where_they_say) {
   EXPECT_NEAR(enlarged.area(), width * height / 2, 2);
 }
 
-TEST(Painter_canvas, opacity_blends_each_element) {
-  Primitive_set set = with_vertices({{80, 50, 0}, {120, 50, 0}});
-  set.balls = {{0, 30}, {1, 30}};
+TEST(Painter_canvas, opacity_blends_each_line) {
+  Primitive_set set = with_vertices({{50, 50.5, 0}, {150, 50.5, 0}, {100.5, 10, 0}, {100.5, 90, 0}});
+  set.segments = {{0, 1}, {2, 3}};
   Scene_layer layer = layer_of(std::move(set));
+  layer.style.line_width = 6;
+  layer.style.opacity = 0.5;
+  const Painted painted(layer);
+  EXPECT_NEAR(painted.ink(70.5, 50.5), 0.5, 0.01);
+  EXPECT_NEAR(painted.ink(100.5, 50.5), 0.75, 0.01);
+}
+
+TEST(Painter_canvas, translucent_disks_have_one_tone) {
+  Primitive_set set = with_vertices({{80, 50, 0}, {120, 50, 0}, {160, 50 - 1e9, 0}});
+  set.balls = {{0, 30}, {1, 30}, {2, 1e9}};
+  Scene_layer layer = layer_of(set);
   layer.style.filled = true;
   layer.style.opacity = 0.5;
   const Painted painted(layer);
-  EXPECT_NEAR(painted.ink(60, 50), 0.5, 0.01);
-  EXPECT_NEAR(painted.ink(100, 50), 0.75, 0.01);
+  for (const auto& [x, y] : {std::pair(60.0, 55.0), {100.0, 52.0}, {80.0, 40.0}, {100.0, 45.0}, {10.0, 20.0}})
+    EXPECT_NEAR(painted.ink(x, y), 0.5, 0.01) << x << " " << y;
+  EXPECT_EQ(painted.ink(100, 90), 0);
+  set.values.push_back({"number", "", {0, 0, 1}});
+  layer.primitives = std::make_shared<const Primitive_set>(set);
+  layer.style.value = "number";
+  layer.style.color_map = "gray";
+  EXPECT_NEAR(Painted(layer).ink(60, 55), 0.5, 0.01);
+  EXPECT_NEAR(Painted(layer).ink(100, 52), 0.75, 0.01) << "coloured by value, each by itself";
+}
+
+TEST(Painter_canvas, closed_arcs_are_filled_by_the_even_odd_rule) {
+  // A ring, and a disk that touches it from outside.
+  Primitive_set set = with_vertices({{100, 50, 0}, {80, 50, 0}, {100, 50, 0}, {30, 50, 0}});
+  set.arcs = {{{60, 50}, 40, 0, 0, true}, {{60, 50}, 20, 1, 1, false}, {{115, 50}, 15, 0, 0, false}};
+  // Half a circle is not closed.
+  set.vertices.push_back({150, 20, 0});
+  set.vertices.push_back({150, 80, 0});
+  set.arcs.push_back({{150, 50}, 30, 4, 5, true});
+  Scene_layer layer = layer_of(set);
+  layer.style.filled = true;
+  layer.style.line_width = 0;
+  layer.style.opacity = 0.999;
+  const Painted painted(layer);
+  EXPECT_GT(painted.ink(30, 50), 0.99);
+  EXPECT_EQ(painted.ink(60, 50), 0) << "the hole";
+  EXPECT_GT(painted.ink(115, 50), 0.99);
+  EXPECT_EQ(painted.ink(160, 50), 0);
+  layer.style.line_width = 2;
+  layer.style.opacity = 1;
+  const double outlines = 2 * M_PI * (40 + 20 + 15 + 15);
+  EXPECT_NEAR(Painted(layer).area(), M_PI * (1600 - 400 + 225) + outlines / 2 + M_PI * 30, 12);
+  layer.style.filled = false;
+  EXPECT_NEAR(Painted(layer).area(), outlines + 2 * M_PI * 15, 12);
+}
+
+TEST(Painter_canvas, huge_arcs_bound_their_area) {
+  for (const double radius : {1e5, 1e9, 1e12}) {
+    Primitive_set set = with_vertices({{50, 50, 0}, {150, 50, 0}, {-1e6, 50, 0}, {1e6, 50, 0}});
+    set.arcs = {{{100, 50 - radius}, radius, 1, 0, true}, {{100, 50}, 50, 0, 1, true}};
+    Scene_layer layer = layer_of(std::move(set));
+    layer.style.filled = true;
+    layer.style.line_width = 0.01;
+    EXPECT_NEAR(Painted(layer).area(), M_PI * 1250 + 2.0 / 3 * 100 * 1250 / radius, 15) << radius;
+  }
 }
 
 TEST(Painter_canvas, cut_and_thresholds_hide_elements) {
