@@ -15,7 +15,7 @@ namespace mesecina {
 enum class Dual_kind : std::uint8_t {
   outside,   ///< not in the complex
   singular,  ///< in it, and face of nothing larger in it
-  regular,   ///< in it, on its boundary, and face of a triangle in it
+  regular,   ///< in it, on its boundary, and face of something larger in it
   interior   ///< in it, and all around it are triangles in it
 };
 

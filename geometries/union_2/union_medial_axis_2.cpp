@@ -150,12 +150,17 @@ int common_source(const Sources_of_sites& sources, const std::array<int, 3>& cor
   return -1;
 }
 
+/// The graph that is dual to the inner triangles has the homotopy type of the union, wherever the rounded vertices are:
+/// every vertex is on the boundary of the polygons. What is done to it here keeps that: triangles about one disk are
+/// drawn together only if they are neighbours, and only leaves are added.
 class Axis_builder {
  public:
   Axis_builder(const Union_voronoi_2& voronoi, bool complete_only, const Progress& progress)
       : voronoi_(voronoi),
+        delaunay_(voronoi.delaunay),
         boundary_(*voronoi.boundary),
         dual_(*boundary_.dual),
+        pairs_(voronoi),
         complete_only_(complete_only),
         progress_(progress),
         node_of_ball_(boundary_.radii.size(), -1) {
@@ -163,19 +168,20 @@ class Axis_builder {
   }
 
   Union_medial_axis_2 build() {
-    add_voronoi_part();
+    add_inner_triangles();
+    add_voronoi_edges();
     add_singular_part();
     return std::move(axis_);
   }
 
  private:
   int node_of_ball(int ball) {
-    int& node = node_of_ball_[ball];
-    if (node < 0) node = add_node(dual_.regular->balls->centers[ball], boundary_.radii[ball], ball);
-    return node;
+    if (node_of_ball_[ball] < 0) node_of_ball_[ball] = add_node(center(ball), boundary_.radii[ball], ball);
+    return node_of_ball_[ball];
   }
-  int add_node(const Point_2& center, double radius, int ball) {
-    axis_.centers.push_back(center);
+  const Point_2& center(int ball) const { return dual_.regular->balls->centers[ball]; }
+  int add_node(const Point_2& at, double radius, int ball) {
+    axis_.centers.push_back(at);
     axis_.radii.push_back(radius);
     axis_.balls.push_back(ball);
     return static_cast<int>(axis_.centers.size()) - 1;
@@ -186,64 +192,95 @@ class Axis_builder {
     axis_.kinds.push_back(kind);
   }
 
-  void add_voronoi_part() {
-    const Delaunay_2& delaunay = voronoi_.delaunay;
-    const int count = static_cast<int>(delaunay.triangles.size());
-    std::vector<int> node_of_triangle(count, -1);
-    for (int t = 0; t < count; ++t) {
-      if (t % 8192 == 0) progress_.check();
-      if (voronoi_.is_inner[t] == 0) continue;
-      const int ball = voronoi_.ball_of_triangle[t];
-      node_of_triangle[t] = ball >= 0 ? node_of_ball(ball) : add_node(voronoi_.vertices[t], voronoi_.radii[t], -1);
-    }
-    const Pairs pairs(voronoi_);
-    for (int t = 0; t < count; ++t) {
-      if (t % 8192 == 0) progress_.check();
-      for (int i = 0; i < 3; ++i) {
-        if (!delaunay.edge_is_listed(t, i)) continue;
-        const int u = delaunay.neighbors[t][i];
-        const int a = node_of_triangle[t];
-        const int b = u < 0 ? -1 : node_of_triangle[u];
-        if ((a < 0 && b < 0) || a == b) continue;
-        const auto [p, q] = delaunay.edge(t, i);
-        const Pairs::Answer pair = pairs.find(p, q);
-        if (pair.is_singular) continue;
-        if (a >= 0 && b >= 0) {
-          if (pair.chords == 0) add_edge(a, b, p, q, Axis_edge_kind::complete);
-        } else if (pair.chords == 1 && !complete_only_) {
-          const int inner = std::max(a, b);
-          const int end = node_of_ball(pair.ball);
-          if (end != inner) add_edge(inner, end, p, q, Axis_edge_kind::incomplete);
+  /// Neighbouring triangles whose circle is that of one disk have one Voronoi vertex.
+  void add_inner_triangles() {
+    const int count = static_cast<int>(delaunay_.triangles.size());
+    node_of_triangle_.assign(count, -1);
+    std::vector<int> waiting;
+    for (int first = 0; first < count; ++first) {
+      if (first % 8192 == 0) progress_.check();
+      if (voronoi_.is_inner[first] == 0 || node_of_triangle_[first] >= 0) continue;
+      const int ball = voronoi_.ball_of_triangle[first];
+      const int node = add_node(voronoi_.vertices[first], voronoi_.radii[first], ball);
+      node_of_triangle_[first] = node;
+      if (ball < 0) continue;
+      if (node_of_ball_[ball] < 0) node_of_ball_[ball] = node;
+      waiting.assign(1, first);
+      while (!waiting.empty()) {
+        const int t = waiting.back();
+        waiting.pop_back();
+        for (int i = 0; i < 3; ++i) {
+          const int u = delaunay_.neighbors[t][i];
+          if (u < 0 || node_of_triangle_[u] >= 0 || voronoi_.ball_of_triangle[u] != ball) continue;
+          if (voronoi_.is_inner[u] == 0) continue;
+          const auto [p, q] = delaunay_.edge(t, i);
+          if (pairs_.find(p, q).chords > 0) continue;
+          node_of_triangle_[u] = node;
+          waiting.push_back(u);
         }
       }
     }
   }
 
+  void add_voronoi_edges() {
+    std::vector<int> vertices_of_ball(boundary_.radii.size(), 0);
+    for (const int ball : boundary_.sources) ++vertices_of_ball[ball];
+    const int count = static_cast<int>(delaunay_.triangles.size());
+    for (int t = 0; t < count; ++t) {
+      if (t % 8192 == 0) progress_.check();
+      for (int i = 0; i < 3; ++i) {
+        if (!delaunay_.edge_is_listed(t, i)) continue;
+        const int u = delaunay_.neighbors[t][i];
+        const int a = node_of_triangle_[t];
+        const int b = u < 0 ? -1 : node_of_triangle_[u];
+        if ((a < 0 && b < 0) || a == b) continue;
+        const auto [p, q] = delaunay_.edge(t, i);
+        const Pairs::Answer pair = pairs_.find(p, q);
+        if (a >= 0 && b >= 0) {
+          if (pair.chords == 0)
+            add_edge(a, b, p, q, pair.is_singular ? Axis_edge_kind::singular : Axis_edge_kind::complete);
+        } else if (pair.chords == 1 && vertices_of_ball[pair.ball] == 2 && (pair.is_singular || !complete_only_)) {
+          // Disks with more vertices of the union have their center at a Voronoi vertex.
+          add_edge(std::max(a, b), node_of_ball(pair.ball), p, q,
+                   pair.is_singular ? Axis_edge_kind::singular : Axis_edge_kind::incomplete);
+        }
+      }
+    }
+  }
+
+  /// Singular faces that are not among the Voronoi edges at inner triangles.
   void add_singular_part() {
+    const auto& site = delaunay_.site;
     for (std::size_t e = 0; e < dual_.edges.size(); ++e) {
       const Dual_edge& edge = dual_.edges[e];
       if (edge.kind != Dual_kind::singular) continue;
-      // A disk that another covers is no part of the axis.
-      if (boundary_.covered_by[edge.a] == edge.b) {
-        node_of_ball(edge.b);
-      } else if (boundary_.covered_by[edge.b] == edge.a) {
-        node_of_ball(edge.a);
-      } else {
-        const auto [p, q] = boundary_.vertices_of_edge[e];
-        add_edge(node_of_ball(edge.a), node_of_ball(edge.b), p, q, Axis_edge_kind::singular);
+      const int cover = boundary_.covered_by[edge.a] == edge.b   ? edge.b
+                        : boundary_.covered_by[edge.b] == edge.a ? edge.a
+                                                                 : -1;
+      if (cover >= 0) {
+        // A disk that another covers is no part of the axis.
+        node_of_ball(cover);
+        continue;
       }
+      const auto [p, q] = boundary_.vertices_of_edge[e];
+      const bool touches = site[p] == site[q];
+      if (touches || delaunay_.dimension < 2 || pairs_.find(site[p], site[q]).chords == 2)
+        add_edge(node_of_ball(edge.a), node_of_ball(edge.b), p, q, Axis_edge_kind::singular);
     }
     for (int b = 0; b < static_cast<int>(dual_.vertices.size()); ++b)
       if (dual_.vertices[b] == Dual_kind::singular) node_of_ball(b);
   }
 
   const Union_voronoi_2& voronoi_;
+  const Delaunay_2& delaunay_;
   const Union_boundary_2& boundary_;
   const Dual_2& dual_;
+  Pairs pairs_;
   bool complete_only_;
   const Progress& progress_;
   Union_medial_axis_2 axis_;
   std::vector<int> node_of_ball_;
+  std::vector<int> node_of_triangle_;
 };
 
 }  // namespace

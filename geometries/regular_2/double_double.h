@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <cmath>
+
+namespace mesecina {
+
+/// A number known to about 100 bits: the sum of two doubles, and how far that may be from it. For decisions that
+/// intervals of doubles cannot take and that are rarely so close that rationals must. Operations require that rounding
+/// is to nearest. Overflow gives an unknown number.
+/// [T. Dekker: A floating-point technique for extending the available precision, 1971]
+class Double_double {
+ public:
+  Double_double() = default;
+  explicit Double_double(double value) : high_(value) {}
+
+  friend Double_double operator+(const Double_double& a, const Double_double& b) {
+    const double sum = a.high_ + b.high_;
+    const double shifted = sum - a.high_;
+    const double rest = (a.high_ - (sum - shifted)) + (b.high_ - shifted);
+    return normalized(sum, rest + (a.low_ + b.low_),
+                      a.error_ + b.error_ + relative_error * (std::abs(a.high_) + std::abs(b.high_)));
+  }
+  friend Double_double operator-(const Double_double& a) {
+    Double_double result = a;
+    result.high_ = -a.high_;
+    result.low_ = -a.low_;
+    return result;
+  }
+  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
+  friend Double_double operator*(const Double_double& a, const Double_double& b) {
+    const double product = a.high_ * b.high_;
+    const auto [a1, a2] = split(a.high_);
+    const auto [b1, b2] = split(b.high_);
+    const double rest = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+    const double size_a = std::abs(a.high_);
+    const double size_b = std::abs(b.high_);
+    return normalized(product, rest + (a.high_ * b.low_ + a.low_ * b.high_),
+                      size_a * b.error_ + size_b * a.error_ + a.error_ * b.error_ + relative_error * size_a * size_b);
+  }
+  friend Double_double operator/(const Double_double& a, const Double_double& b) {
+    const double first = a.high_ / b.high_;
+    const Double_double rest = a - exact(first) * exact_part(b);
+    const double second = rest.high_ / b.high_;
+    const double size_b = std::abs(b.high_) * (1 - 1e-9) - b.error_;
+    if (!(size_b > 0)) return unknown();
+    return normalized(first, second,
+                      (a.error_ + std::abs(first) * (1 + 1e-9) * b.error_) / size_b + relative_error * std::abs(first));
+  }
+
+  CGAL::Uncertain<CGAL::Sign> sign() const {
+    if (high_ > error_ * (1 + 1e-9)) return CGAL::POSITIVE;
+    if (-high_ > error_ * (1 + 1e-9)) return CGAL::NEGATIVE;
+    if (high_ == 0 && error_ == 0) return CGAL::ZERO;
+    return CGAL::Uncertain<CGAL::Sign>::indeterminate();
+  }
+  bool is_known() const { return std::isfinite(high_) && std::isfinite(error_); }
+
+ private:
+  /// Far above what the operations lose, so that errors in computing errors are covered as well.
+  static constexpr double relative_error = 0x1p-98;
+  /// Above what is lost where products are too small for doubles.
+  static constexpr double absolute_error = 1e-290;
+
+  struct Halves {
+    double first;
+    double second;
+  };
+  static Halves split(double value) {
+    const double scaled = 134217729.0 * value;  // 2^27 + 1
+    const double first = scaled - (scaled - value);
+    return {first, value - first};
+  }
+  static Double_double normalized(double high, double low, double error) {
+    Double_double result;
+    result.high_ = high + low;
+    result.low_ = low - (result.high_ - high);
+    result.error_ = high == 0 && low == 0 && error == 0 ? 0 : error * (1 + 1e-9) + absolute_error;
+    if (!std::isfinite(result.high_) || !std::isfinite(result.low_) || !std::isfinite(result.error_)) return unknown();
+    return result;
+  }
+  static Double_double unknown() {
+    Double_double result;
+    result.error_ = HUGE_VAL;
+    return result;
+  }
+  static Double_double exact(double value) { return Double_double(value); }
+  static Double_double exact_part(const Double_double& a) {
+    Double_double result = a;
+    result.error_ = 0;
+    return result;
+  }
+
+  double high_ = 0;
+  double low_ = 0;
+  double error_ = 0;
+};
+
+}  // namespace mesecina
