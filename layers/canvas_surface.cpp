@@ -140,6 +140,7 @@ void Gl_surface_2::free_renderer() {
   uploaded_earlier_ += renderer_->uploaded_bytes();
   renderer_.reset();
   picture_.reset();
+  samples_.reset();
   doneCurrent();
 }
 
@@ -174,31 +175,35 @@ void Gl_surface_2::paintGL() {
   paint_foreground(painter, content_, size(), palette());
 }
 
-void Gl_surface_2::paint_picture(const Gl_renderer_2::Frame& frame, bool has_fills) {
+void Gl_surface_2::paint_picture(const Gl_renderer_2::Frame& frame) {
+  const bool has_fills = has_fills_with_edges(content_.scene.layers);
   const QSize pixels(frame.width, frame.height);
-  if (!picture_ || picture_->size() != pixels || (picture_->format().samples() > 0) != has_fills) {
-    QOpenGLFramebufferObjectFormat format;
-    format.setSamples(has_fills ? samples_for_fills : 0);
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+  QOpenGLFramebufferObjectFormat format;
+  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+  if (!picture_ || picture_->size() != pixels) picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+  if (!has_fills) {
+    samples_.reset();
+  } else if (!samples_ || samples_->size() != pixels) {
+    format.setSamples(samples_for_fills);
+    samples_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
   }
   Scene scene = content_.scene;
   scene.transparent_background = false;
-  picture_->bind();
+  QOpenGLFramebufferObject& target = has_fills ? *samples_ : *picture_;
+  target.bind();
   renderer_->draw(scene, {}, content_.view, frame);
-  picture_->release();
+  target.release();
+  if (has_fills) QOpenGLFramebufferObject::blitFramebuffer(picture_.get(), samples_.get());
   rest_.view = content_.view;
   is_outdated_ = false;
 }
 
 void Gl_surface_2::show_picture(const Gl_renderer_2::Frame& frame) {
-  const bool has_fills = has_fills_with_edges(content_.scene.layers);
   const bool fits = picture_ && picture_->size() == QSize(frame.width, frame.height) && !is_outdated_;
   const double factor = content_.view.scale / rest_.view.scale;
-  // Several samples per pixel cannot be stretched.
-  const bool may_wait = fits && !has_fills && !rest_.must_be_exact && factor < largest_factor &&
-                        factor > 1 / largest_factor && element_count(content_) > many_elements_for_opengl;
-  if (!(fits && rest_.view == content_.view) && !may_wait) paint_picture(frame, has_fills);
+  const bool may_wait = fits && !rest_.must_be_exact && factor < largest_factor && factor > 1 / largest_factor &&
+                        element_count(content_) > many_elements_for_opengl;
+  if (!(fits && rest_.view == content_.view) && !may_wait) paint_picture(frame);
   rest_.note(content_.view);
   if (rest_.view == content_.view) {
     QOpenGLFramebufferObject::blitFramebuffer(nullptr, picture_.get());

@@ -86,7 +86,7 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
 
  private:
   void free_renderer();
-  void paint_picture(const Gl_renderer_2::Frame& frame, bool has_fills);
+  void paint_picture(const Gl_renderer_2::Frame& frame);
   void show_picture(const Gl_renderer_2::Frame& frame);
 
   const Canvas_content& content_;
@@ -94,6 +94,7 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
   std::unique_ptr<Gl_renderer_2> renderer_;
   bool keeps_picture_;
   std::unique_ptr<QOpenGLFramebufferObject> picture_;  ///< of the scene; null where none is kept
+  std::unique_ptr<QOpenGLFramebufferObject> samples_;  ///< what the picture is made of, if it has fills
   bool is_outdated_ = true;                            ///< the picture is of an earlier scene
   Picture_rest rest_;
   std::size_t uploaded_earlier_ = 0;
