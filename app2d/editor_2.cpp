@@ -51,7 +51,10 @@ std::vector<Disk_handle_2> Editor_2::handles() const {
   for (const std::size_t i : selection_.disks) {
     if (i >= disks->size()) continue;
     const Point_2& center = (*disks)[i].center;
-    const double far = std::max((*disks)[i].radius, least_handle_distance / canvas_.view().scale);
+    const double least = least_handle_distance / canvas_.view().scale;
+    // Beside others, handles far outside of their disk would seem to be those of another one.
+    if ((*disks)[i].radius < least / 2 && selection_.disks.size() > 1) continue;
+    const double far = std::max((*disks)[i].radius, least);
     handles.push_back({i, {center.x + far, center.y}, true});
     handles.push_back({i, {center.x, center.y + far}, false});
     handles.push_back({i, {center.x - far, center.y}, true});

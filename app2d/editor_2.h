@@ -35,8 +35,8 @@ class Editor_2 : public QObject {
   Reach_2 reach() const;
   /// The point, vertex or disk (by its center or boundary) under the cursor; empty if there is none near.
   Selection_2 at(const Canvas_event& event) const;
-  /// Four for each selected disk; none when more than fifty are selected, where they would only hide the picture. Those
-  /// of disks that are small on the screen lie outside of them.
+  /// Four for each selected disk; none when more than fifty are selected, where they would only hide the picture. A
+  /// disk that is small on the screen has its handles outside of it, or none when others are selected, too.
   std::vector<Disk_handle_2> handles() const;
   /// The nearest of them under the cursor.
   std::optional<Disk_handle_2> handle_at(const Canvas_event& event) const;

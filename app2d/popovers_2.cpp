@@ -123,7 +123,7 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
                &Generator_order_2::greatest_radius);
   } else if (generator.radii == Radii_2::relative) {
     add_number(QObject::tr("Radius / step"), QObject::tr("Relative radius"),
-               QObject::tr("Radius divided by the distance of neighbouring centers"), no_maximum,
+               QObject::tr("Radius divided by the distance of neighbouring centers; at 0.5 they touch"), no_maximum,
                &Generator_order_2::relative_radius);
   }
   if (generator.has_amount) {

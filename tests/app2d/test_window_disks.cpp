@@ -182,6 +182,11 @@ TEST_F(Disks, HandlesOfSmallDisksLieOutsideAndGrowADiskFromNothing) {
   ASSERT_EQ(window().editor().handles().size(), 4u);
   for (const Disk_handle_2& handle : window().editor().handles())
     EXPECT_GT(distance(handle.position, {0, 0}) * canvas().view().scale, 16);
+  give({{{0, 0}, 0}, {{5, 0}, 4}});
+  window().editor().select({{}, {}, {0, 1}});
+  EXPECT_EQ(window().editor().handles().size(), 4u);
+  give({{{0, 0}, 0}});
+  window().editor().select({{}, {}, {0}});
   const QPoint handle = pixel(window().editor().handles()[0].position);
   drag(handle, handle + QPoint(50, 0));
   EXPECT_NEAR(disks()[0].radius, 5, 1e-9);

@@ -29,11 +29,15 @@ Inputs example() {
   Image image;
   image.width = image.height = 1;
   image.rgba = {0, 0, 0, 255};
-  return Inputs().with(points_input, wavy_curve(200)).with(image_input, image);
+  return Inputs()
+      .with(points_input, wavy_curve(200))
+      .with(disks_input, std::vector<Disk_2>{{{0, 0}, 1}, {{1.5, 0}, 0.75}, {{0.25, 1}, 0.5}})
+      .with(image_input, image);
 }
 
 /// The layers that an issue of the project names; others may come, none may go.
 const std::set<std::string> promised_layers = {"points",
+                                               "disks",
                                                "outline",
                                                "image",
                                                "delaunay",
