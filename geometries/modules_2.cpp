@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/modules_2.h"
 
+#include "geometries/balls_2/module.h"
 #include "geometries/crust_2/module.h"
 #include "geometries/delaunay_2/module.h"
+#include "geometries/dual_2/module.h"
 #include "geometries/inputs_2/module.h"
 #include "geometries/labels_2/module.h"
 #include "geometries/medial_axis_2/module.h"
 #include "geometries/medial_filtrations_2/module.h"
+#include "geometries/regular_2/module.h"
 #include "geometries/samples_2/module.h"
+#include "geometries/scale_axis_2/module.h"
+#include "geometries/union_2/module.h"
 
 namespace mesecina {
 
@@ -20,6 +25,11 @@ std::shared_ptr<const Registry> make_registry_2() {
   register_labels_2(*registry);
   register_medial_axis_2(*registry);
   register_medial_filtrations_2(*registry);
+  register_balls_2(*registry);
+  register_regular_2(*registry);
+  register_dual_2(*registry);
+  register_union_2(*registry);
+  register_scale_axis_2(*registry);
   return registry;
 }
 

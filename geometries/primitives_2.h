@@ -38,6 +38,11 @@ inline void add_disk(Primitive_set& set, const Point_2& center, double radius) {
   set.vertices.push_back(lifted(center));
 }
 
+/// The same elements, without the vertices that none of them uses.
+inline Primitive_set without_unused_vertices(const Primitive_set& set) {
+  return select(set, std::vector<bool>(set.element_count(), true));
+}
+
 inline Fact fact(std::string name, double value, std::string_view unit = "") {
   std::string text = format_number(value);
   if (!unit.empty()) (text += ' ') += unit;

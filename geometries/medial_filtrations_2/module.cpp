@@ -4,10 +4,12 @@
 #include <limits>
 
 #include "core/graph.h"
+#include "geometries/balls_2/module.h"
 #include "geometries/delaunay_2/module.h"
 #include "geometries/filtration/filtration.h"
 #include "geometries/primitives_2.h"
 #include "geometries/scale_importance/scale_importance.h"
+#include "geometries/union_2/module.h"
 
 namespace mesecina {
 
@@ -72,6 +74,7 @@ struct Measure {
   std::string unit;
   Key<Importance_2> importance;
   Key<Importance_2> monotone;
+  Key<Union_boundary_2> shape;
   std::string_view limit;
   std::string definition;
   Color color;
@@ -108,7 +111,31 @@ Primitive_set filtered_axis_layer(Context& context, const Measure& measure) {
   return set;
 }
 
-/// Disks carry the largest value of their edges, so that the limit keeps exactly the disks at the ends of kept edges.
+/// Per disk the largest value of its edges: the limit keeps exactly the disks at the ends of kept edges.
+std::vector<double> values_of_disks(const Medial_axis_2& axis, const Importance_2& importance) {
+  std::vector<double> values = largest_of_edges(axis.centers.size(), axis.edges, importance.edges, -infinity);
+  for (std::size_t b = 0; b < values.size(); ++b)
+    if (values[b] == -infinity) values[b] = importance.balls[b];
+  return values;
+}
+
+/// Boundary of the union of the disks that the limit keeps.
+Union_boundary_2 compute_shape(Context& context, const Measure& measure) {
+  const auto axis = context.get(medial_axis_2_key);
+  const auto balls = context.get(inner_voronoi_balls_2_key);
+  const double limit = context.setting(Setting<double>{measure.limit});
+  const std::vector<double> values = context.setting(topology_preserving_setting)
+                                         ? context.get(measure.monotone)->balls
+                                         : values_of_disks(*axis, *context.get(measure.importance));
+  std::vector<bool> is_kept(balls->balls.size(), false);
+  for (std::size_t b = 0; b < values.size(); ++b)
+    if (values[b] >= limit) is_kept[balls->ball_of_triangle[axis->triangles[b]]] = true;
+  std::vector<int> kept;
+  for (std::size_t b = 0; b < is_kept.size(); ++b)
+    if (is_kept[b]) kept.push_back(static_cast<int>(b));
+  return union_boundary(std::make_shared<const Balls_2>(subset(balls->balls, kept)), 0, context.progress());
+}
+
 Primitive_set filtered_disk_layer(Context& context, const Measure& measure) {
   const auto axis = context.get(medial_axis_2_key);
   const auto plain = context.get(measure.importance);
@@ -117,10 +144,7 @@ Primitive_set filtered_disk_layer(Context& context, const Measure& measure) {
   set.vertices = lifted(axis->centers);
   set.balls.reserve(axis->centers.size());
   for (std::size_t b = 0; b < axis->centers.size(); ++b) set.balls.push_back({static_cast<int>(b), axis->radii[b]});
-  std::vector<double> largest = largest_of_edges(axis->centers.size(), axis->edges, plain->edges, -infinity);
-  for (std::size_t b = 0; b < largest.size(); ++b)
-    if (largest[b] == -infinity) largest[b] = plain->balls[b];
-  set.values.push_back({measure.name, measure.unit, std::move(largest)});
+  set.values.push_back({measure.name, measure.unit, values_of_disks(*axis, *plain)});
   set.values.push_back({monotone_name(measure), measure.unit, monotone->balls});
   set.values.push_back({"radius", "units of the input", axis->radii});
   return set;
@@ -147,6 +171,21 @@ void add_measure(Registry& registry, const Measure& measure) {
     layer.cut_switch = topology_preserving_setting.id;
     layer.cut_value_when_switched = monotone_name(measure);
   };
+  registry.add_structure<Union_boundary_2>(measure.shape,
+                                           [measure](Context& context) { return compute_shape(context, measure); });
+  {
+    Layer_spec layer;
+    layer.id = measure.name + "-medial-axis-shape";
+    layer.label = measure.label + ": shape";
+    layer.stage = "Filtration";
+    layer.help = "The union of the medial disks at the kept parts of the medial axis filtered by " + measure.name +
+                 ": what they reconstruct of the shape. " + measure.definition;
+    layer.style = look(measure.color, 1.5);
+    layer.style.filled = true;
+    layer.style.opacity = 0.6;
+    layer.build = [measure](Context& context) { return boundary_primitives(*context.get(measure.shape)); };
+    registry.add_layer(std::move(layer));
+  }
   {
     Layer_spec layer;
     layer.id = measure.name + "-medial-axis-disks";
@@ -232,6 +271,7 @@ void register_medial_filtrations_2(Registry& registry) {
                          "units of the input",
                          lambda_2_key,
                          {"lambda-monotone-2"},
+                         {"lambda-shape-2"},
                          lambda_limit_setting.id,
                          "Lambda is half the distance of the contact points. [F. Chazal, A. Lieutier 2005]",
                          {70, 120, 40}});
@@ -240,6 +280,7 @@ void register_medial_filtrations_2(Registry& registry) {
                          "degrees",
                          angle_2_key,
                          {"angle-monotone-2"},
+                         {"angle-shape-2"},
                          angle_limit_setting.id,
                          "The angle is that under which the contact points are seen, at its largest along an edge. "
                          "[M. Foskey, M. Lin, D. Manocha 2003]",
@@ -250,6 +291,7 @@ void register_medial_filtrations_2(Registry& registry) {
                "factor",
                scale_2_key,
                {"scale-monotone-2"},
+               {"scale-shape-2"},
                scale_limit_setting.id,
                "The scale of a medial disk is the factor at which a single larger one covers it when all grow: the "
                "least d(c, c') / (r' - r). [B. Miklos: The Scale Axis Transform, 2010, section 6.2]",

@@ -6,8 +6,10 @@
 
 namespace mesecina {
 
+/// The poles of the samples with their sides; `inner_triangles` chooses the triangles of delaunay_2_key that the inner
+/// polar disks are circumscribed to.
 inline constexpr Key<Polar_balls_2> polar_balls_2_key{"polar-balls-2"};
-inline constexpr Key<Power_vertices_2> polar_power_vertices_2_key{"polar-power-vertices-2"};
+inline constexpr Key<Polar_diagram_2> polar_power_diagram_2_key{"polar-power-diagram-2"};
 
 /// Power crust: poles of the samples, their sides, and the curve and shape between them.
 void register_power_crust_2(Registry& registry);

@@ -71,14 +71,25 @@ struct Polar_balls_2 {
 Polar_balls_2 label_poles(std::shared_ptr<const Poles_2> poles, std::shared_ptr<const Regular_2> regular,
                           Progress& progress);
 
+/// The vertices of the power diagram of the poles. Circles through one sample meet there: triangles of the regular
+/// triangulation whose disks all touch one sample share the vertex that is this sample.
+struct Polar_diagram_2 {
+  std::vector<Point_2> vertices;
+  std::vector<int> vertex_of_triangle;  ///< per triangle of the regular triangulation
+};
+Polar_diagram_2 polar_power_diagram(const Polar_balls_2& polar, Progress& progress);
+
 /// An edge of the regular triangulation, see Regular_2.
 struct Regular_edge {
   int triangle = 0;
   int corner = 0;
 };
-/// The edges between an inner and an outer pole, each once: their power edges are the power crust, closed polygons and
+/// The edges of the regular triangulation whose power edge has a length, each once: first those with a power vertex at
+/// both ends, then those whose power edge is a ray.
+std::vector<Regular_edge> power_edges(const Polar_balls_2& polar, const Polar_diagram_2& diagram);
+/// Those of them between an inner and an outer pole: their power edges are the power crust. Closed polygons, and
 /// possibly curves that end in rays.
-std::vector<Regular_edge> power_crust(const Polar_balls_2& polar);
+std::vector<Regular_edge> power_crust(const Polar_balls_2& polar, const Polar_diagram_2& diagram);
 
 /// The faces of the regular triangulation whose corners are all inner.
 struct Power_shape_2 {
