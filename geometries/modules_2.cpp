@@ -9,6 +9,7 @@
 #include "geometries/labels_2/module.h"
 #include "geometries/medial_axis_2/module.h"
 #include "geometries/medial_filtrations_2/module.h"
+#include "geometries/power_crust_2/module.h"
 #include "geometries/regular_2/module.h"
 #include "geometries/samples_2/module.h"
 #include "geometries/scale_axis_2/module.h"
@@ -25,6 +26,7 @@ std::shared_ptr<const Registry> make_registry_2() {
   register_labels_2(*registry);
   register_medial_axis_2(*registry);
   register_medial_filtrations_2(*registry);
+  register_power_crust_2(*registry);
   register_balls_2(*registry);
   register_regular_2(*registry);
   register_dual_2(*registry);
