@@ -18,6 +18,8 @@ class Double_double {
   explicit Double_double(double value) : high_(value) {}
 
   friend Double_double operator+(const Double_double& a, const Double_double& b) {
+    if (a.is_zero()) return b;
+    if (b.is_zero()) return a;
     const double sum = a.high_ + b.high_;
     const double shifted = sum - a.high_;
     const double rest = (a.high_ - (sum - shifted)) + (b.high_ - shifted);
@@ -32,6 +34,7 @@ class Double_double {
   }
   friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + (-b); }
   friend Double_double operator*(const Double_double& a, const Double_double& b) {
+    if (a.is_zero() || b.is_zero()) return {};
     const double product = a.high_ * b.high_;
     const auto [a1, a2] = split(a.high_);
     const auto [b1, b2] = split(b.high_);
@@ -43,7 +46,7 @@ class Double_double {
   }
   friend Double_double operator/(const Double_double& a, const Double_double& b) {
     const double first = a.high_ / b.high_;
-    const Double_double rest = a - exact(first) * exact_part(b);
+    const Double_double rest = a - Double_double(first) * exact_part(b);
     const double second = rest.high_ / b.high_;
     const double size_b = std::abs(b.high_) * (1 - 1e-9) - b.error_;
     if (!(size_b > 0)) return unknown();
@@ -54,12 +57,12 @@ class Double_double {
   CGAL::Uncertain<CGAL::Sign> sign() const {
     if (high_ > error_ * (1 + 1e-9)) return CGAL::POSITIVE;
     if (-high_ > error_ * (1 + 1e-9)) return CGAL::NEGATIVE;
-    if (high_ == 0 && error_ == 0) return CGAL::ZERO;
+    if (is_zero()) return CGAL::ZERO;
     return CGAL::Uncertain<CGAL::Sign>::indeterminate();
   }
-  bool is_known() const { return std::isfinite(high_) && std::isfinite(error_); }
 
  private:
+  bool is_zero() const { return high_ == 0 && error_ == 0; }
   /// Far above what the operations lose, so that errors in computing errors are covered as well.
   static constexpr double relative_error = 0x1p-98;
   /// Above what is lost where products are too small for doubles.
@@ -78,7 +81,7 @@ class Double_double {
     Double_double result;
     result.high_ = high + low;
     result.low_ = low - (result.high_ - high);
-    result.error_ = high == 0 && low == 0 && error == 0 ? 0 : error * (1 + 1e-9) + absolute_error;
+    result.error_ = error * (1 + 1e-9) + absolute_error;
     if (!std::isfinite(result.high_) || !std::isfinite(result.low_) || !std::isfinite(result.error_)) return unknown();
     return result;
   }
@@ -87,7 +90,6 @@ class Double_double {
     result.error_ = HUGE_VAL;
     return result;
   }
-  static Double_double exact(double value) { return Double_double(value); }
   static Double_double exact_part(const Double_double& a) {
     Double_double result = a;
     result.error_ = 0;

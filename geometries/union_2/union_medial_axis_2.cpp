@@ -49,7 +49,8 @@ class Pairs {
 
   struct Answer {
     int chords = 0;
-    int ball = -1;  ///< of the last of these
+    int ball = -1;        ///< of the last of these
+    int first_ball = -1;  ///< of the first of these
     bool is_singular = false;
   };
   Answer find(int p, int q) const {
@@ -62,6 +63,7 @@ class Pairs {
       } else {
         ++answer.chords;
         answer.ball = entry.ball;
+        if (answer.first_ball < 0) answer.first_ball = entry.ball;
       }
     }
     return answer;
@@ -248,24 +250,27 @@ class Axis_builder {
     }
   }
 
-  /// Singular faces that are not among the Voronoi edges at inner triangles.
+  /// What is not at inner triangles: two disks that are a component by themselves, disks that touch, single disks.
   void add_singular_part() {
     const auto& site = delaunay_.site;
+    for (const Boundary_arc& arc : boundary_.arcs) {
+      if (arc.from < 0 || site[arc.from] == site[arc.to]) continue;
+      const Pairs::Answer pair = pairs_.find(site[arc.from], site[arc.to]);
+      if (pair.chords == 2 && pair.first_ball == arc.ball && pair.ball != arc.ball)
+        add_edge(node_of_ball(pair.first_ball), node_of_ball(pair.ball), arc.from, arc.to, Axis_edge_kind::singular);
+    }
     for (std::size_t e = 0; e < dual_.edges.size(); ++e) {
       const Dual_edge& edge = dual_.edges[e];
       if (edge.kind != Dual_kind::singular) continue;
-      const int cover = boundary_.covered_by[edge.a] == edge.b   ? edge.b
-                        : boundary_.covered_by[edge.b] == edge.a ? edge.a
-                                                                 : -1;
-      if (cover >= 0) {
-        // A disk that another covers is no part of the axis.
-        node_of_ball(cover);
-        continue;
-      }
       const auto [p, q] = boundary_.vertices_of_edge[e];
-      const bool touches = site[p] == site[q];
-      if (touches || delaunay_.dimension < 2 || pairs_.find(site[p], site[q]).chords == 2)
+      if (boundary_.covered_by[edge.a] == edge.b) {
+        // A disk that another covers is no part of the axis.
+        node_of_ball(edge.b);
+      } else if (boundary_.covered_by[edge.b] == edge.a) {
+        node_of_ball(edge.a);
+      } else if (site[p] == site[q]) {
         add_edge(node_of_ball(edge.a), node_of_ball(edge.b), p, q, Axis_edge_kind::singular);
+      }
     }
     for (int b = 0; b < static_cast<int>(dual_.vertices.size()); ++b)
       if (dual_.vertices[b] == Dual_kind::singular) node_of_ball(b);
@@ -334,7 +339,7 @@ std::vector<double> angle_of_edges(const Union_medial_axis_2& axis) {
       return ((q.x - p.x) * (c.y - middle.y) - (q.y - p.y) * (c.x - middle.x)) / length;
     };
     double angle = 180;
-    if (length > 0 && axis.kinds[e] != Axis_edge_kind::singular) {
+    if (length > 0) {
       const double s = place(axis.edges[e][0]);
       const double t = place(axis.edges[e][1]);
       if (s * t > 0) angle = 2 * std::atan2(length / 2, std::min(std::abs(s), std::abs(t))) * (180 / std::numbers::pi);
