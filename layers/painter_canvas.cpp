@@ -3,9 +3,12 @@
 
 #include <QFontMetricsF>
 #include <QImage>
+#include <QPaintEngine>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "layers/color_bars.h"
 #include "layers/scene_shapes.h"
@@ -18,6 +21,10 @@ constexpr std::size_t batch_size = 4096;
 /// From this size on the pixels of an image are painted one by one, since Qt cannot place images of 1e5 pixels exactly.
 constexpr double separate_pixel = 100;
 constexpr double widest_flat_line = 2;
+/// Regions with as many arcs are painted tile by tile.
+constexpr std::size_t many_arcs = 1000;
+constexpr double smallest_tile = 64;
+constexpr double most_tiles_in_a_row = 12;
 /// Closes the hairlines that antialiasing leaves between neighbouring areas of different colour.
 constexpr double seam_width = 0.6;
 
@@ -94,16 +101,13 @@ class Painter_sink : public Shape_sink {
 
   void region(const Pixel_region& region, bool odd_even, Color color) override {
     flush();
-    QPainterPath path;
-    path.setFillRule(odd_even ? Qt::OddEvenFill : Qt::WindingFill);
-    append_rings(path, region.rings);
-    for (std::size_t i = 0; i < region.loop_count(); ++i) {
-      path.moveTo(to_qt(region.loop(i)[0].from));
-      for (const Pixel_arc& arc : region.loop(i)) append_arc(path, arc);
-      path.closeSubpath();
-    }
     set_brush(color);
-    painter_.drawPath(path);
+    const Qt::FillRule rule = odd_even ? Qt::OddEvenFill : Qt::WindingFill;
+    if (painter_.paintEngine()->type() == QPaintEngine::Raster && region.arcs.size() >= many_arcs) {
+      paint_in_tiles(region, rule);
+    } else {
+      paint_part(region, {}, paper_, rule);
+    }
   }
 
   void disk(const Point_2& center, double radius, Color color) override {
@@ -157,6 +161,59 @@ class Painter_sink : public Shape_sink {
   static void append_arc(QPainterPath& path, const Pixel_arc& arc) {
     for (const Bezier& curve : to_beziers(arc))
       path.cubicTo(to_qt(curve.control_1), to_qt(curve.control_2), to_qt(curve.to));
+  }
+
+  /// A path that has the same inside as the region within the tile. `boxes`, of the arcs, may be empty for all in full.
+  void paint_part(const Pixel_region& region, std::span<const Pixel_box> boxes, const Pixel_box& tile,
+                  Qt::FillRule rule) {
+    QPainterPath path;
+    path.setFillRule(rule);
+    append_rings(path, region.rings);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < region.loop_count(); first += region.loop(i).size(), ++i) {
+      const auto loop = region.loop(i);
+      int common_sides = boxes.empty() ? 0 : -1;
+      for (std::size_t k = 0; k < loop.size() && common_sides != 0; ++k)
+        common_sides &= sides_of(tile, boxes[first + k]);
+      if (common_sides != 0) continue;
+      path.moveTo(to_qt(loop[0].from));
+      // Arcs that follow each other on one side of the tile become one line there.
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const int sides = boxes.empty() ? 0 : sides_of(tile, boxes[first + k]);
+        const bool goes_on = (common_sides & sides) != 0;
+        if (common_sides != 0 && !goes_on) path.lineTo(to_qt(loop[k].from));
+        common_sides = goes_on ? common_sides & sides : sides;
+        if (sides == 0) append_arc(path, loop[k]);
+      }
+      path.closeSubpath();
+    }
+    painter_.drawPath(path);
+  }
+
+  /// Qt's time for a row of pixels grows with the square of what crosses it.
+  void paint_in_tiles(const Pixel_region& region, Qt::FillRule rule) {
+    std::vector<Pixel_box> boxes;
+    boxes.reserve(region.arcs.size());
+    for (const Pixel_arc& arc : region.arcs)
+      boxes.push_back(Pixel_box{arc.center.x, arc.center.y, arc.center.x, arc.center.y}.grown(arc.radius + 1));
+    const double width = paper_.right - paper_.left;
+    const double height = paper_.bottom - paper_.top;
+    const double side = std::max(smallest_tile, std::ceil(std::max(width, height) / most_tiles_in_a_row));
+    for (double top = paper_.top; top < paper_.bottom; top += side) {
+      for (double left = paper_.left; left < paper_.right; left += side) {
+        const Pixel_box tile{left, top, left + side, top + side};
+        painter_.save();
+        painter_.setClipRect(to_qt(tile), Qt::IntersectClip);
+        paint_part(region, boxes, tile, rule);
+        painter_.restore();
+      }
+    }
+  }
+
+  /// One bit for each side of the tile beyond which the whole box lies.
+  static int sides_of(const Pixel_box& tile, const Pixel_box& box) {
+    return (box.right < tile.left ? 1 : 0) | (box.left > tile.right ? 2 : 0) | (box.bottom < tile.top ? 4 : 0) |
+           (box.top > tile.bottom ? 8 : 0);
   }
 
   void paint_pixels(const Image& image, const Pixel_box& place, double pixel, int left, int right, int top,

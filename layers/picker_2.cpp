@@ -130,7 +130,10 @@ Picker_2::Index::Index(const std::shared_ptr<const Primitive_set>& given) : prim
   for (const auto& [a, b] : set.segments) boxes.push_back(box_of(std::array{vertex(a), vertex(b)}));
   // Rays are unbounded and few: they are all measured.
   boxes.resize(first_arc_, {far, far, far, far});
-  for (const Arc& arc : set.arcs) boxes.push_back(around(arc.center, arc.radius));
+  for (const Arc& arc : set.arcs) {
+    const Box box = bounding_box(set, arc);
+    boxes.push_back({box.lower.x, box.lower.y, box.upper.x, box.upper.y});
+  }
   for (const auto& [a, b, c] : set.triangles) boxes.push_back(box_of(std::array{vertex(a), vertex(b), vertex(c)}));
   for (std::size_t i = 0; i < set.polygon_count(); ++i) {
     const Ring_2 corners = ring(i);

@@ -25,8 +25,9 @@ class Picker_2 {
   };
 
   /// The best visible element within `tolerance` logical pixels: points before curves before areas, then the nearer
-  /// one, then the layer drawn later. Only elements drawn under cut and thresholds. Index of a Primitive_set is built
-  /// once (weakly kept), O(log n) afterwards.
+  /// one, then the layer drawn later. Only elements drawn under cut and thresholds. An arc is where its line is, also
+  /// if the area that arcs bound is filled: that belongs to no element. Index of a Primitive_set is built once (weakly
+  /// kept), O(log n) afterwards.
   std::optional<Hit> pick(const Scene& scene, const View_2& view, double width, double height, const Point_2& pixel,
                           double tolerance);
 

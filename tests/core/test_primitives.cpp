@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/primitives.h"
 #include "core/style.h"
@@ -137,6 +138,32 @@ TEST(Topology, of_small_complexes) {
   expect_topology(mixed, 2, 3, 1);
 }
 
+TEST(Topology, counts_arcs_as_edges) {
+  // Two crossing disks: a closed curve of two arcs between the same vertices.
+  Primitive_set lens = complex_of(2);
+  lens.arcs = {{{0, 0}, 1, 0, 1, true}, {{1, 0}, 1, 1, 0, true}};
+  expect_topology(lens, 0, 1, 1);
+  lens.arcs.push_back({{2, 0}, 1, 0, 1, false});
+  expect_topology(lens, -1, 1, 2);
+  Primitive_set circle = complex_of(3);
+  circle.arcs = {{{0, 0}, 1, 1, 1, true}};
+  expect_topology(circle, 0, 1, 1);
+  circle.arcs.push_back({{3, 0}, 2, 1, 1, false});  // touches the first
+  expect_topology(circle, -1, 1, 2);
+  circle.arcs.push_back({{9, 0}, 2, 2, 2, true});
+  expect_topology(circle, -1, 2, 3);
+  Primitive_set open = complex_of(4);
+  open.arcs = {{{0, 0}, 1, 0, 1, true}, {{0, 0}, 1, 3, 2, true}};
+  expect_topology(open, 2, 2, 0);
+  // Beside a segment, and beside the edges of a triangle, an arc is an edge of its own.
+  Primitive_set mixed = complex_of(3);
+  mixed.arcs = {{{0, 0}, 1, 0, 1, true}};
+  mixed.segments = {{0, 1}};
+  expect_topology(mixed, 0, 1, 1);
+  mixed.triangles = {{0, 1, 2}};
+  expect_topology(mixed, 0, 1, 1);
+}
+
 TEST(Topology, is_absent_for_what_is_no_complex) {
   Primitive_set set = complex_of(3);
   set.segments = {{0, 1}};
@@ -206,6 +233,50 @@ TEST(Fit_view, of_no_box_or_a_point_is_sensible) {
   }
   EXPECT_EQ(fit_view(point, 640, 480).center, (Point_2{1e9, -3}));
   EXPECT_DOUBLE_EQ(fit_view(segment, 640, 480).scale, 72);
+}
+
+TEST(Bounding_box, of_an_arc_is_that_of_what_is_drawn) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> angle(0, 2 * M_PI);
+  const auto expect_tight = [](double from, double to, bool counterclockwise) {
+    const Point_2 center{3, -2};
+    const double radius = 5;
+    const auto at = [&](double t) {
+      return Point_3{center.x + radius * std::cos(t), center.y + radius * std::sin(t), 0};
+    };
+    Primitive_set set;
+    set.vertices = {at(from), at(to)};
+    set.arcs = {{center, radius, 0, 1, counterclockwise}};
+    double sweep = to - from;
+    while (counterclockwise && sweep < 0) sweep += 2 * M_PI;
+    while (!counterclockwise && sweep > 0) sweep -= 2 * M_PI;
+    Box walked;
+    for (int i = 0; i <= 20000; ++i) walked.add(at(from + sweep * i / 20000));
+    const Box box = bounding_box(set, set.arcs[0]);
+    for (const auto side : {&Point_3::x, &Point_3::y}) {
+      EXPECT_NEAR(box.lower.*side, walked.lower.*side, 1e-6) << from << " to " << to;
+      EXPECT_NEAR(box.upper.*side, walked.upper.*side, 1e-6) << from << " to " << to;
+    }
+    EXPECT_EQ(set.bounding_box().lower, box.lower);
+    EXPECT_EQ(set.bounding_box().upper, box.upper);
+  };
+  for (const bool counterclockwise : {true, false}) {
+    for (int i = 0; i < 200; ++i) expect_tight(angle(random), angle(random), counterclockwise);
+    for (const double from : {0.3, M_PI / 4, 3.0})
+      for (const double sweep : {M_PI / 2, M_PI, 3 * M_PI / 2, 1e-3, 2 * M_PI - 1e-3})
+        expect_tight(from, from + sweep, counterclockwise);
+  }
+}
+
+TEST(Bounding_box, of_a_whole_circle_and_of_none) {
+  Primitive_set set;
+  set.vertices = {{4, 0, 0}, {4, 0, 0}};
+  set.arcs = {{{1, 0}, 3, 0, 0, false}};
+  EXPECT_EQ(set.bounding_box().lower, (Point_3{-2, -3, 0}));
+  EXPECT_EQ(set.bounding_box().upper, (Point_3{4, 3, 0}));
+  set.arcs[0].to = 1;  // two vertices in one place: no length
+  EXPECT_EQ(set.bounding_box().lower, (Point_3{4, 0, 0}));
+  EXPECT_EQ(set.bounding_box().upper, (Point_3{4, 0, 0}));
 }
 
 TEST(Bounding_box, of_primitives_and_inputs) {

@@ -117,6 +117,14 @@ TEST(Csv_writer, HasARowPerElement) {
                           "6,disk,6,0,0,,,,,2.5,,3"));
 }
 
+TEST(Csv_writer, WholeCirclesBeginAndEndInTheirVertex) {
+  Primitive_set set;
+  set.vertices = {{3, 2, 0}};
+  set.arcs = {{{1, 2}, 2, 0, 0, false}};
+  EXPECT_THAT(lines_of(written("csv", set)),
+              ElementsAre("element,kind,id,x0,y0,x1,y1,x2,y2,radius", "0,arc,0,3,2,3,2,1,2,2"));
+}
+
 TEST(Csv_writer, ColumnsFollowTheSet) {
   Primitive_set set;
   set.dimension = 3;

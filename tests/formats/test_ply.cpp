@@ -135,6 +135,18 @@ TEST(Ply_writer, ArcsAndPolygonsAreEdgesAndRaysAreCounted) {
   EXPECT_EQ(ply.left_over, 0u);
 }
 
+TEST(Ply_writer, WholeCirclesAreClosed) {
+  Primitive_set set;
+  set.vertices = {{3, 2, 0}};
+  set.arcs = {{{1, 2}, 2, 0, 0, true}};
+  Ply ply = parse(written("ply", set));
+  EXPECT_EQ(ply.elements["vertex"].rows.size(), 360u);
+  const auto& edges = ply.elements["edge"].rows;
+  ASSERT_EQ(edges.size(), 360u);
+  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_EQ(edges[i][1], edges[(i + 1) % edges.size()][0]);
+  EXPECT_THAT(ply.comments, Contains("1 arcs as polylines with at most 1 degree per segment"));
+}
+
 TEST(Ply_writer, InfinityIsKept) {
   Primitive_set set;
   set.vertices = {{0, 0, 0}};

@@ -280,6 +280,56 @@ TEST(Painter_canvas, closed_arcs_are_filled_by_the_even_odd_rule) {
   EXPECT_NEAR(Painted(layer).area(), 2 * circles + 2 * half_circle, 50);
 }
 
+TEST(Painter_canvas, many_arcs_leave_no_seams) {
+  // Small circles in a grid between two large ones, more of them than are painted in one piece.
+  Primitive_set set = with_vertices({{-100, 50, 0}, {-90, 50, 0}});
+  set.arcs = {{{100, 50}, 200, 0, 0, true}, {{100, 50}, 190, 1, 1, false}};
+  for (int i = 0; i < 2000; ++i) {
+    const Point_2 center{2.0 + 4 * (i % 50), 1.25 + 2.5 * (i / 50)};
+    set.vertices.push_back({center.x + 1, center.y, 0});
+    set.vertices.push_back({center.x - 1, center.y, 0});
+    const int from = static_cast<int>(set.vertices.size()) - 2;
+    set.arcs.push_back({center, 1, from, from + 1, true});
+    set.arcs.push_back({center, 1, from + 1, from, true});
+  }
+  Scene_layer layer = layer_of(set);
+  layer.style.filled = true;
+  layer.style.opacity = 0.999;
+  layer.style.line_width = 0.001;
+  const auto expect_even_grid = [&] {
+    const Painted painted(layer);
+    for (int x = 4; x < width - 8; ++x) {
+      for (int y = 5; y < height - 10; ++y) {
+        ASSERT_NEAR(painted.ink(x + 0.5, y + 0.5), painted.ink(x + 4.5, y + 0.5), 0.08) << x << " " << y;
+        ASSERT_NEAR(painted.ink(x + 0.5, y + 0.5), painted.ink(x + 0.5, y + 5.5), 0.08) << x << " " << y;
+      }
+    }
+  };
+  // Qt's polygons for circles so small are a few percent smaller.
+  EXPECT_NEAR(Painted(layer).area(), 2000 * M_PI, 250);
+  expect_even_grid();
+  // A circle around them all: the other way about.
+  set.arcs[1].to = set.arcs[1].from = set.arcs[0].from;
+  set.arcs[1].center.x = -105;
+  set.arcs[1].radius = 5;
+  layer.primitives = std::make_shared<const Primitive_set>(set);
+  EXPECT_NEAR(Painted(layer).area(), width * height - 2000 * M_PI, 250);
+  expect_even_grid();
+
+  Primitive_set disks = with_vertices({});
+  for (int i = 0; i < 2000; ++i) {
+    disks.vertices.push_back({2.0 + 4 * (i % 50), 1.25 + 2.5 * (i / 50), 0});
+    disks.balls.push_back({i, 5});
+  }
+  layer = layer_of(disks);
+  layer.style.filled = true;
+  layer.style.opacity = 0.5;
+  EXPECT_NEAR(Painted(layer).area(), width * height / 2.0, width * height / 400.0);
+  const Painted painted(layer);
+  for (int x = 10; x < width - 10; ++x)
+    for (int y = 10; y < height - 10; ++y) ASSERT_NEAR(painted.ink(x + 0.5, y + 0.5), 0.5, 0.01) << x << " " << y;
+}
+
 TEST(Painter_canvas, huge_arcs_bound_their_area) {
   for (const double radius : {1e5, 1e9, 1e12}) {
     Primitive_set set = with_vertices({{50, 50, 0}, {150, 50, 0}, {-1e6, 50, 0}, {1e6, 50, 0}});

@@ -227,6 +227,37 @@ TEST(Picker_2, triangles_by_area_or_outline) {
   EXPECT_FALSE(pick(180, 180));
 }
 
+TEST(Picker_2, arcs_are_hit_on_their_line_only) {
+  // Half a circle and its diameter's other half: a filled region, with a point far inside.
+  Primitive_set set;
+  set.vertices = {{100, 100, 0}, {300, 100, 0}};
+  set.arcs = {{{200, 100}, 100, 1, 0, true}, {{200, -100}, std::sqrt(50000.0), 1, 0, true}};
+  Scene_layer layer = layer_of(std::move(set));
+  layer.style.filled = true;
+  Scene scene = scene_of(layer);
+  Picker_2 picker;
+  const auto pick = [&](double x, double y) {
+    return picker.pick(scene, pixel_view(width, height), width, height, {x, height - y}, 5);
+  };
+  for (const bool filled : {true, false}) {
+    scene.layers[0].style.filled = filled;
+    ASSERT_TRUE(pick(200, 197));
+    EXPECT_EQ(pick(200, 197)->element, 0U);
+    ASSERT_TRUE(pick(200, 121));
+    EXPECT_EQ(pick(200, 121)->element, 1U);
+    EXPECT_FALSE(pick(200, 160)) << "the inside belongs to no arc";
+    EXPECT_FALSE(pick(200, 3)) << "the part of the circle that is not drawn";
+    EXPECT_FALSE(pick(100, 60)) << "within the circle's box but not the arc's";
+  }
+  // What lies below shows through, and is hit through, the inside.
+  Primitive_set below;
+  below.vertices = {{150, 150, 0}, {250, 150, 0}};
+  below.segments = {{0, 1}};
+  scene.layers.insert(scene.layers.begin(), layer_of(std::move(below), "below"));
+  ASSERT_TRUE(pick(200, 151));
+  EXPECT_EQ(pick(200, 151)->layer, 0U);
+}
+
 TEST(Picker_2, a_new_set_at_the_address_of_an_old_one_is_indexed_anew) {
   Picker_2 picker;
   for (int i = 0; i < 50; ++i) {

@@ -125,6 +125,51 @@ TEST(Svg_writer, arcs_are_true_arcs) {
   EXPECT_NE(svg.find("M130 50A30 30 0 1 1 100 20"), std::string::npos) << svg;
 }
 
+TEST(Svg_writer, areas_bounded_by_arcs_are_one_path_of_true_arcs) {
+  Primitive_set set;
+  set.vertices = {{130, 50, 0}, {100, 80, 0}, {70, 50, 0}, {150, 50, 0}, {190, 50, 0}};
+  set.arcs = {{{100, 50}, 30, 0, 1, true},
+              {{100, 50}, 30, 0, 1, false},
+              {{60, 50}, 10, 2, 2, true},
+              {{170, 50}, 20, 3, 4, true}};
+  Scene_layer layer = layer_of(set);
+  layer.style.filled = true;
+  layer.style.color = {1, 2, 3};
+  layer.style.opacity = 0.25;
+  const auto paths = named(parse(svg_of(scene_of(layer), pixel_view(200, 100), 200, 100)), "path");
+  ASSERT_GE(paths.size(), 1U);
+  const auto& region = paths[0].attributes;
+  EXPECT_EQ(region.at("fill-rule"), "evenodd");
+  EXPECT_EQ(region.at("fill"), "#010203");
+  EXPECT_EQ(region.at("fill-opacity"), "0.25");
+  EXPECT_EQ(region.at("d"),
+            "M130 50A30 30 0 0 0 100 20A30 30 0 1 0 130 50Z"
+            "M70 50A10 10 0 0 0 50 50A10 10 0 0 0 70 50Z")
+      << "the open arc bounds nothing";
+  EXPECT_EQ(paths.size(), 4U) << "three arcs with ends are drawn as lines, the circle as itself";
+  layer.style.filled = false;
+  for (const auto& path : named(parse(svg_of(scene_of(layer), pixel_view(200, 100), 200, 100)), "path"))
+    EXPECT_FALSE(path.attributes.count("fill-rule"));
+}
+
+TEST(Svg_writer, translucent_disks_are_one_area) {
+  Primitive_set set;
+  set.vertices = {{80, 50, 0}, {120, 50, 0}};
+  set.balls = {{0, 30}, {1, 30}};
+  Scene_layer layer = layer_of(set);
+  layer.style.filled = true;
+  const auto count = [&](const std::string& name) {
+    return named(parse(svg_of(scene_of(layer), pixel_view(200, 100), 200, 100)), name).size();
+  };
+  EXPECT_EQ(count("circle"), 2U);
+  layer.style.opacity = 0.5;
+  EXPECT_EQ(count("circle"), 0U);
+  ASSERT_EQ(count("path"), 1U);
+  const auto path = named(parse(svg_of(scene_of(layer), pixel_view(200, 100), 200, 100)), "path")[0].attributes;
+  EXPECT_EQ(path.at("fill-rule"), "nonzero");
+  EXPECT_EQ(path.at("fill-opacity"), "0.5");
+}
+
 TEST(Svg_writer, rays_end_near_the_page_and_huge_circles_cross_it) {
   Primitive_set set;
   set.vertices = {{50, 50, 0}, {50, 50 - 1e12, 0}};
@@ -167,7 +212,7 @@ Scene rich_scene() {
   std::uniform_real_distribution<double> x(20, 380);
   std::uniform_real_distribution<double> y(20, 280);
   Scene scene;
-  for (int kind = 0; kind < 8; ++kind) {
+  for (int kind = 0; kind < 9; ++kind) {
     Primitive_set set;
     for (int i = 0; i < 12; ++i) set.vertices.push_back({x(random), y(random), 0});
     if (kind == 0) {
@@ -186,6 +231,13 @@ Scene rich_scene() {
       }
       set.arcs = {{{200, 150}, 60, 12, 13, true}, {{200, 150}, 60, 14, 16, false}};
       set.rays = {{0, {0.6, 0.8, 0}}, {1, {-1, 0, 0}}};
+    } else if (kind == 8) {
+      set.vertices = {{40, 40, 0}, {100, 40, 0}, {70, 60, 0}};
+      set.arcs = {{{70, 40}, 30, 0, 1, true},
+                  {{70, 80}, 50, 0, 1, true},
+                  {{70, 50}, 10, 2, 2, true},
+                  {{70, 40 + 1e6}, 1e6, 0, 1, true},
+                  {{70, 25}, std::sqrt(1125.0), 0, 1, true}};
     } else if (kind == 5) {
       set.segments = {{0, 1}, {2, 3}, {4, 5}};
     } else if (kind == 6) {
@@ -194,7 +246,7 @@ Scene rich_scene() {
       set.balls = {{3, 25}, {4, 1e5}};
     }
     Scene_layer layer = layer_of(set, "layer" + std::to_string(kind));
-    layer.style.filled = kind < 4;
+    layer.style.filled = kind < 4 || kind == 8;
     layer.style.opacity = kind % 2 == 1 ? 0.6 : 1;
     layer.style.line_width = 1 + kind / 3.0;
     layer.style.color = {static_cast<std::uint8_t>(30 * kind), 90, static_cast<std::uint8_t>(220 - 25 * kind)};
