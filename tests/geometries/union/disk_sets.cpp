@@ -231,6 +231,18 @@ Disks together(std::uint64_t seed) {
   return result;
 }
 
+/// More disks than in the other families.
+Disks many(std::uint64_t seed) {
+  Random random(seed);
+  Disks result = random_disks(random, 15, 6, 0, 3);
+  for (int i = 0; i < 15; ++i) {
+    const double x = random.index(13) - 6;
+    const double y = random.index(13) - 6;
+    result.push_back({{x, y}, static_cast<double>(random.index(4))});
+  }
+  return result;
+}
+
 Circumscribed_balls_2 some_triangles(std::span<const Point_2> samples, double share, std::uint64_t seed) {
   Random random(seed);
   Progress progress;
@@ -387,6 +399,7 @@ std::vector<Disk_family> disk_families() {
       {"extreme scale", extreme_scale},
       {"far away", far_away},
       {"together", together},
+      {"many", many},
   };
 }
 

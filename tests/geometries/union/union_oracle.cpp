@@ -359,7 +359,7 @@ double Union_oracle::boundary_distance(const Point_2& query) const {
 
 bool Union_oracle::is_inside(const Point_2& query) const {
   for (std::size_t i = 0; i < disks.size(); ++i)
-    if (representative[i] != -1 && distance(query, centers[i]) < radii[i]) return true;
+    if (representative[i] != -1 && distance(query, centers[i]) <= radii[i] * (1 + 1e-12)) return true;
   return false;
 }
 

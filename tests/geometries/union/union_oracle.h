@@ -56,6 +56,7 @@ struct Union_oracle {
   /// than `slack` times the least distance.
   std::vector<Contact> nearest(const Point_2& query, double slack) const;
   double boundary_distance(const Point_2& query) const;
+  /// In one of the closed disks, to rounding: where disks surround a point it is on circles only.
   bool is_inside(const Point_2& query) const;
   /// By Green's theorem along the arcs.
   double area() const;
