@@ -66,6 +66,15 @@ struct Gl_arc_fill {
   std::vector<Segment_run> runs;  ///< of the segments
 };
 
+/// That area of one Primitive_set, and what it was made for.
+struct Arc_fill_buffers {
+  double reach = 0;  ///< farthest_reach() of the arcs
+  double size = 0;   ///< the longer side of the arcs' box
+  std::vector<bool> drawn;
+  std::optional<Window_2> window;  ///< outside of which it is cut off; absent: the whole area
+  Gl_arc_fill fill;
+};
+
 /// The buffers of one Primitive_set, each uploaded when it is first drawn.
 ///
 /// A part is uploaded whole if float coordinates place it within a hundredth of a pixel. If not (a deep zoom, a far
@@ -110,13 +119,6 @@ class Gl_primitives {
     std::optional<Window_2> window;
     Gl_batch near;
     Gl_batch far;
-  };
-  struct Arc_fill_buffers {
-    std::vector<bool> drawn;  ///< the elements whose area this is
-    double reach = 0;
-    double size = 0;  ///< of the arcs' box, the longer side
-    std::optional<Window_2> window;
-    Gl_arc_fill fill;
   };
   void upload(Gl_batch& batch);
   void upload(const Arc_fill& fill);

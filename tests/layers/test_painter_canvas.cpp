@@ -330,6 +330,33 @@ TEST(Painter_canvas, many_arcs_leave_no_seams) {
     for (int y = 10; y < height - 10; ++y) ASSERT_NEAR(painted.ink(x + 0.5, y + 0.5), 0.5, 0.01) << x << " " << y;
 }
 
+TEST(Painter_canvas, a_loop_of_many_arcs_keeps_its_inside) {
+  // A scalloped disk with a scalloped hole, each one loop of more arcs than are painted in one piece.
+  constexpr int count = 1500;
+  Primitive_set set;
+  for (const double radius : {47.0, 20.0}) {
+    const int first = static_cast<int>(set.vertices.size());
+    const auto at = [&](double i) {
+      return Point_2{100 + radius * std::cos(2 * M_PI * i / count), 50 + radius * std::sin(2 * M_PI * i / count)};
+    };
+    const double small = distance(at(0), at(1)) / 2;
+    for (int i = 0; i < count; ++i) {
+      set.vertices.push_back({at(i).x, at(i).y, 0});
+      set.arcs.push_back({midpoint(at(i), at(i + 1)), small, first + i, first + (i + 1) % count, true});
+    }
+  }
+  Scene_layer layer = layer_of(std::move(set));
+  layer.style.filled = true;
+  layer.style.line_width = 0.001;
+  layer.style.opacity = 0.999;
+  const Painted painted(layer);
+  EXPECT_NEAR(painted.area(), M_PI * (47 * 47 - 20 * 20), 30);
+  for (const double x : {55.0, 64.5, 75.0, 127.5, 128.5, 145.0}) EXPECT_GT(painted.ink(x, 50.5), 0.99) << x;
+  EXPECT_GT(painted.ink(64.5, 64.5), 0.99) << "where tiles meet";
+  EXPECT_EQ(painted.ink(100, 50), 0);
+  EXPECT_EQ(painted.ink(60, 90), 0);
+}
+
 TEST(Painter_canvas, huge_arcs_bound_their_area) {
   for (const double radius : {1e5, 1e9, 1e12}) {
     Primitive_set set = with_vertices({{50, 50, 0}, {150, 50, 0}, {-1e6, 50, 0}, {1e6, 50, 0}});
