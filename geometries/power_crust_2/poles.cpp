@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometries/power_crust_2/circle_center.h"
 #include "geometries/power_crust_2/power_crust_2.h"
 
 namespace mesecina {
@@ -24,39 +25,6 @@ struct Hull_neighbors {
   int before = -1;
   int after = -1;
 };
-
-template <class Number>
-struct Vector {
-  Number x;
-  Number y;
-};
-
-template <class Number>
-Number dot(const Vector<Number>& v, const Vector<Number>& w) {
-  return v.x * w.x + v.y * w.y;
-}
-
-template <class Number>
-Vector<Number> difference(const Point_2& p, const Point_2& q) {
-  return {Number(p.x) - Number(q.x), Number(p.y) - Number(q.y)};
-}
-
-/// From a corner of a triangle to the center of its circle, times `factor`, which is positive.
-template <class Number>
-struct Scaled_offset {
-  Vector<Number> vector;
-  Number factor;
-};
-
-/// For the corner p of the counterclockwise triangle pqr.
-template <class Number>
-Scaled_offset<Number> offset_of_center(const Point_2& p, const Point_2& q, const Point_2& r) {
-  const auto to_q = difference<Number>(q, p);
-  const auto to_r = difference<Number>(r, p);
-  const Number q2 = dot(to_q, to_q);
-  const Number r2 = dot(to_r, to_r);
-  return {{to_r.y * q2 - to_q.y * r2, to_q.x * r2 - to_r.x * q2}, 2 * (to_q.x * to_r.y - to_q.y * to_r.x)};
-}
 
 /// Sign of a / sqrt(a_square) + b / sqrt(b_square).
 template <class Number>

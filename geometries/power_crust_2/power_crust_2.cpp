@@ -53,16 +53,6 @@ double cosine(const Point_2& at, const Point_2& p, const Point_2& q) {
   return (p.x - at.x) / p_length * ((q.x - at.x) / q_length) + (p.y - at.y) / p_length * ((q.y - at.y) / q_length);
 }
 
-/// A sample on all these circles; -1 for none.
-int shared_contact(const Balls_2& balls, std::span<const int> disks) {
-  const auto contact_count = [&](int disk) { return balls.contacts_of(disk).size(); };
-  const int least = *std::ranges::min_element(disks, {}, contact_count);
-  for (const int sample : balls.contacts_of(least))
-    if (std::ranges::all_of(disks, [&](int d) { return std::ranges::binary_search(balls.contacts_of(d), sample); }))
-      return sample;
-  return -1;
-}
-
 /// A spread of labels from pole to pole, the surest first.
 class Labelling {
  public:
@@ -136,9 +126,18 @@ class Labelling {
 
 }  // namespace
 
+int shared_sample(const Balls_2& balls, std::span<const int> disks) {
+  const auto contact_count = [&](int disk) { return balls.contacts_of(disk).size(); };
+  const int least = *std::ranges::min_element(disks, {}, contact_count);
+  for (const int sample : balls.contacts_of(least))
+    if (std::ranges::all_of(disks, [&](int d) { return std::ranges::binary_search(balls.contacts_of(d), sample); }))
+      return sample;
+  return -1;
+}
+
 double intersection_cosine(const Balls_2& balls, int a, int b) {
   // At a point where the circles meet the angle can be seen, whatever their radii are.
-  if (const int sample = shared_contact(balls, std::array{a, b}); sample >= 0)
+  if (const int sample = shared_sample(balls, std::array{a, b}); sample >= 0)
     return cosine((*balls.samples)[sample], balls.centers[a], balls.centers[b]);
   const double ra = balls.radii[a];
   const double rb = balls.radii[b];
@@ -171,28 +170,6 @@ Polar_balls_2 label_poles(std::shared_ptr<const Poles_2> poles, std::shared_ptr<
   result.poles = std::move(poles);
   result.regular = std::move(regular);
   return result;
-}
-
-Polar_diagram_2 polar_power_diagram(const Polar_balls_2& polar, Progress& progress) {
-  const Regular_2& regular = *polar.regular;
-  const Balls_2& balls = *regular.balls;
-  Power_vertices_2 power = power_vertices(regular, progress);
-  Polar_diagram_2 diagram;
-  std::vector<int> vertex_of_sample(balls.samples->size(), -1);
-  diagram.vertex_of_triangle.reserve(regular.triangles.size());
-  for (std::size_t t = 0; t < regular.triangles.size(); ++t) {
-    if (t % 4096 == 0) progress.check();
-    const int sample = shared_contact(balls, regular.triangles[t]);
-    const int vertex = static_cast<int>(diagram.vertices.size());
-    if (sample >= 0 && vertex_of_sample[sample] >= 0) {
-      diagram.vertex_of_triangle.push_back(vertex_of_sample[sample]);
-      continue;
-    }
-    if (sample >= 0) vertex_of_sample[sample] = vertex;
-    diagram.vertices.push_back(power.vertices[t]);
-    diagram.vertex_of_triangle.push_back(vertex);
-  }
-  return diagram;
 }
 
 std::vector<Regular_edge> power_edges(const Polar_balls_2& polar, const Polar_diagram_2& diagram) {

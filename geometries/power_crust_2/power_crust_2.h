@@ -73,6 +73,9 @@ Polar_balls_2 label_poles(std::shared_ptr<const Poles_2> poles, std::shared_ptr<
 
 /// The vertices of the power diagram of the poles. Circles through one sample meet there: triangles of the regular
 /// triangulation whose disks all touch one sample share the vertex that is this sample.
+///
+/// Poles outside of nearly straight edges lie very far away. The vertices are those of the disks as they are, not as
+/// their centers and radii are rounded, to 1e-9 of the diagonal of the samples.
 struct Polar_diagram_2 {
   std::vector<Point_2> vertices;
   std::vector<int> vertex_of_triangle;  ///< per triangle of the regular triangulation
@@ -98,6 +101,10 @@ struct Power_shape_2 {
   std::vector<std::array<int, 3>> triangles;  ///< poles, counterclockwise
 };
 Power_shape_2 power_shape(const Polar_balls_2& polar);
+
+/// A sample that lies on the circles of all these disks; -1 when there is none (known). `disks` must not be empty.
+/// O(log n) per contact of the disk that has the fewest.
+int shared_sample(const Balls_2& balls, std::span<const int> disks);
 
 /// Cosine of the angle between two disks: 1 for equal ones, 0 where they meet at a right angle, -1 where they touch
 /// from outside; beyond [-1,1] where they are apart or nested.
