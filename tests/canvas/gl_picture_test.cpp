@@ -9,8 +9,8 @@
 
 #include "example_scenes.h"
 #include "gl_picture_fixture.h"
-#include "picture_comparison.h"
 #include "layers/canvas_surface.h"
+#include "picture_comparison.h"
 
 namespace mesecina {
 namespace {
