@@ -235,8 +235,12 @@ class Axis_builder {
         const int u = delaunay_.neighbors[t][i];
         const int a = node_of_triangle_[t];
         const int b = u < 0 ? -1 : node_of_triangle_[u];
-        if ((a < 0 && b < 0) || a == b) continue;
         const auto [p, q] = delaunay_.edge(t, i);
+        if (a < 0 && b < 0) {
+          add_pair_of_disks(p, q);
+          continue;
+        }
+        if (a == b) continue;
         const Pairs::Answer pair = pairs_.find(p, q);
         if (a >= 0 && b >= 0) {
           if (pair.chords == 0)
@@ -250,15 +254,17 @@ class Axis_builder {
     }
   }
 
-  /// What is not at inner triangles: two disks that are a component by themselves, disks that touch, single disks.
+  /// Two disks that are a component by themselves: the two arcs between their crossings have one chord.
+  void add_pair_of_disks(int p, int q) {
+    const Pairs::Answer pair = pairs_.find(p, q);
+    if (pair.chords == 2 && pair.first_ball != pair.ball)
+      add_edge(node_of_ball(pair.first_ball), node_of_ball(pair.ball), p, q, Axis_edge_kind::singular);
+  }
+
+  /// What has no Voronoi edge: disks that touch, single disks.
   void add_singular_part() {
     const auto& site = delaunay_.site;
-    for (const Boundary_arc& arc : boundary_.arcs) {
-      if (arc.from < 0 || site[arc.from] == site[arc.to]) continue;
-      const Pairs::Answer pair = pairs_.find(site[arc.from], site[arc.to]);
-      if (pair.chords == 2 && pair.first_ball == arc.ball && pair.ball != arc.ball)
-        add_edge(node_of_ball(pair.first_ball), node_of_ball(pair.ball), arc.from, arc.to, Axis_edge_kind::singular);
-    }
+    for (std::size_t i = 1; i < delaunay_.line.size(); ++i) add_pair_of_disks(delaunay_.line[i - 1], delaunay_.line[i]);
     for (std::size_t e = 0; e < dual_.edges.size(); ++e) {
       const Dual_edge& edge = dual_.edges[e];
       if (edge.kind != Dual_kind::singular) continue;

@@ -25,14 +25,17 @@ std::vector<Point_2> wavy_curve(std::size_t count) {
   return points;
 }
 
+/// A union with triangles that share an edge, singular edges, an isolated disk and a hidden one.
+std::vector<Disk_2> disks_of_all_kinds() {
+  return {{{0, 0}, 1},     {{1.2, 0}, 1}, {{0, 1.2}, 1},      {{1.2, 1.3}, 1}, {{3, 0}, 1},
+          {{4.5, 0.5}, 1}, {{10, 10}, 1}, {{0.6, 0.6}, 0.01}, {{4.5, -1}, 0.7}};
+}
+
 Inputs example() {
   Image image;
   image.width = image.height = 1;
   image.rgba = {0, 0, 0, 255};
-  return Inputs()
-      .with(points_input, wavy_curve(200))
-      .with(disks_input, std::vector<Disk_2>{{{0, 0}, 1}, {{1.5, 0}, 0.75}, {{0.25, 1}, 0.5}})
-      .with(image_input, image);
+  return Inputs().with(points_input, wavy_curve(200)).with(disks_input, disks_of_all_kinds()).with(image_input, image);
 }
 
 /// The layers that an issue of the project names; others may come, none may go.
@@ -57,7 +60,46 @@ const std::set<std::string> promised_layers = {"points",
                                                "scale-medial-axis",
                                                "lambda-medial-axis-disks",
                                                "angle-medial-axis-disks",
-                                               "scale-medial-axis-disks"};
+                                               "scale-medial-axis-disks",
+                                               "balls",
+                                               "ball-centers",
+                                               "regular-triangulation",
+                                               "power-diagram",
+                                               "hidden-balls",
+                                               "dual",
+                                               "dual-faces",
+                                               "dual-regular-edges",
+                                               "dual-interior-edges",
+                                               "dual-singular-edges",
+                                               "dual-singular-vertices",
+                                               "union-boundary",
+                                               "union-vertices",
+                                               "union-vertices-origin",
+                                               "union-vertices-delaunay",
+                                               "union-vertices-voronoi",
+                                               "union-voronoi-interior",
+                                               "union-voronoi-exterior",
+                                               "union-crossing-edges",
+                                               "union-alpha-edges",
+                                               "union-medial-axis",
+                                               "union-medial-disks",
+                                               "inner-poles",
+                                               "outer-poles",
+                                               "inner-polar-disks",
+                                               "outer-polar-disks",
+                                               "polar-triangulation",
+                                               "polar-power-diagram",
+                                               "power-crust",
+                                               "power-shape",
+                                               "grown-disks",
+                                               "grown-union",
+                                               "grown-medial-axis",
+                                               "scale-axis",
+                                               "scale-axis-disks",
+                                               "scale-axis-shape",
+                                               "lambda-medial-axis-shape",
+                                               "angle-medial-axis-shape",
+                                               "scale-medial-axis-shape"};
 
 TEST(Registry_2, EveryPromisedLayerIsThere) {
   const auto registry = make_registry_2();
