@@ -111,9 +111,8 @@ void Disk_tool_2::drag(const Canvas_event& event) {
                 [this](const Point_2& position) { spray(position); });
     return;
   }
-  if (state_ == State::pressed &&
-      (event.pixel - start_.pixel).manhattanLength() < QApplication::startDragDistance() / 2.0)
-    return;
+  const double moved = (event.pixel - start_.pixel).manhattanLength();
+  if (state_ == State::pressed && moved < QApplication::startDragDistance() / 2.0) return;
   state_ = State::drawing;
   cursor_ = event.position;
   Q_EMIT preview_changed();

@@ -223,10 +223,9 @@ std::vector<Disk_2> random_disks(const Generator_order_2& order) {
   Random random(order.seed);
   std::vector<Disk_2> disks;
   disks.reserve(order.count);
-  const auto [least, greatest] = std::minmax(order.least_radius, order.greatest_radius);
   for (std::size_t i = 0; i < order.count; ++i) {
     const Point_2 center = random_in(random, order.box);
-    disks.push_back({center, random.within(least, greatest)});
+    disks.push_back({center, random.within(order.least_radius, order.greatest_radius)});
   }
   return disks;
 }

@@ -156,7 +156,11 @@ TEST_F(Disks, AHandleResizes) {
   EXPECT_NEAR(disks()[1].radius / disks()[0].radius, 0.25, 1e-12);
   EXPECT_EQ(document().history().undoText(), "Resize 2 disks");
   expect_undo_and_redo(start, disks());
+  // Another drag is another step.
+  drag(pixel({0, 12}), pixel({0, 10}));
+  EXPECT_EQ(document().history().count(), 2);
 
+  trigger("undo");
   trigger("undo");
   QTest::mousePress(&canvas(), Qt::LeftButton, {}, handle);
   move(handle + QPoint(0, 30), Qt::LeftButton);
