@@ -7,6 +7,7 @@
 #include "core/batch/batch.h"
 #include "core/batch/command_line.h"
 #include "geometries/modules_2.h"
+#include "layers/color_map.h"
 #include "layers/picture_formats.h"
 
 namespace {
@@ -29,7 +30,10 @@ int run(int argc, char** argv) {
   mesecina::Formats formats = mesecina::planar_formats();
   mesecina::add_picture_formats(formats);
 
-  const auto parsed = mesecina::parse_command_line(argc, argv, program, *registry, formats);
+  std::vector<std::string> color_maps;
+  for (const mesecina::Color_map& map : mesecina::color_maps()) color_maps.push_back(map.name());
+
+  const auto parsed = mesecina::parse_command_line(argc, argv, program, *registry, formats, color_maps);
   if (const auto* exit = std::get_if<mesecina::Early_exit>(&parsed)) {
     (exit->code == mesecina::exit_success ? std::cout : std::cerr) << exit->text;
     return exit->code;

@@ -23,7 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::vector<std::string> visible_layers(const Registry& registry) {
+std::vector<std::string> shown_layers(const Registry& registry, const Command_line& command_line) {
+  if (!command_line.layers.empty()) return command_line.layers;
   std::vector<std::string> ids;
   for (const Layer_spec& layer : registry.layers())
     if (layer.style.visible) ids.push_back(layer.id);
@@ -61,7 +62,7 @@ class Batch {
         registry_(std::move(registry)),
         formats_(formats),
         errors_(errors) {
-    layers_ = command_line.layers.empty() ? visible_layers(*registry_) : command_line.layers;
+    layers_ = shown_layers(*registry_, command_line);
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     threads_ = command_line.threads > 0 ? command_line.threads : std::max(1, cores / std::max(1, command_line.jobs));
   }
@@ -72,6 +73,8 @@ class Batch {
   void process(std::size_t index);
   Input_statistics compute(const fs::path& file);
   void write_layers(const fs::path& file, Graph& graph, Input_statistics& statistics);
+  void warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
+                             Input_statistics& statistics) const;
   void write_pictures(const fs::path& file, const Scene& scene, const Box& box);
   void finish(std::size_t index, const Input_statistics& statistics);
   void say(Log_level level, const std::string& text);
@@ -126,6 +129,8 @@ std::string Batch::fingerprint(const fs::path& file) const {
     json["view"] = {command_line_.view->center.x, command_line_.view->center.y, command_line_.view->scale};
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
+  json["styles"] = command_line_.style_changes;
+  json["as-listed"] = command_line_.as_listed;
   json["seed"] = command_line_.seed;
   // The name of a file need not be UTF-8.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -169,6 +174,7 @@ void Batch::write_layers(const fs::path& file, Graph& graph, Input_statistics& s
         statistics.warnings.push_back(warning);
     if (!primitives && !command_line_.layers.empty())
       statistics.warnings.push_back("layer " + id + ": " + outcome.reason);
+    if (primitives && wants_pictures) warn_of_missing_value(id, *primitives, statistics);
     const auto start = Clock::now();
     for (const std::string& name : command_line_.formats) {
       const Layer_writer* writer = formats_.find_layer_writer(name);
@@ -182,10 +188,22 @@ void Batch::write_layers(const fs::path& file, Graph& graph, Input_statistics& s
     if (wants_pictures) kept[id] = std::move(primitives);
   }
   const auto start = Clock::now();
-  write_pictures(
-      file, make_scene(*registry_, command_line_.settings, layers_, [&](const std::string& id) { return kept[id]; }),
-      bounding_box(graph.inputs()));
+  write_pictures(file, make_scene(*registry_, command_line_, [&](const std::string& id) { return kept[id]; }),
+                 bounding_box(graph.inputs()));
   statistics.seconds["write"] = write_seconds + seconds_since(start);
+}
+
+/// The names of values are known when a layer is there, not before.
+void Batch::warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
+                                  Input_statistics& statistics) const {
+  const auto style = command_line_.styles.find(layer);
+  if (style == command_line_.styles.end() || style->second.value.empty()) return;
+  std::string known;
+  for (const Values& values : primitives.values) {
+    if (values.name == style->second.value) return;
+    known += (known.empty() ? "; it has " : ", ") + values.name;
+  }
+  statistics.warnings.push_back("layer " + layer + ": no values '" + style->second.value + "' to color it by" + known);
 }
 
 void Batch::write_pictures(const fs::path& file, const Scene& scene, const Box& box) {
@@ -322,12 +340,24 @@ int Batch::run() {
 
 }  // namespace
 
-Scene make_scene(const Registry& registry, const Settings& settings, const std::vector<std::string>& layers,
+Scene make_scene(const Registry& registry, const Command_line& command_line,
                  const std::function<std::shared_ptr<const Primitive_set>(const std::string&)>& primitives) {
+  const std::vector<std::string> ids = shown_layers(registry, command_line);
+  std::vector<const Layer_spec*> layers;
+  const auto add = [&](const Layer_spec& layer) {
+    if (std::ranges::find(layers, &layer) == layers.end()) layers.push_back(&layer);
+  };
+  if (command_line.as_listed) {
+    for (const std::string& id : ids) add(*registry.find_layer(id));
+  } else {
+    for (const Layer_spec& layer : registry.layers())
+      if (std::ranges::find(ids, layer.id) != ids.end()) add(layer);
+  }
   Scene scene;
-  for (const Layer_spec& layer : registry.layers()) {
-    if (std::ranges::find(layers, layer.id) == layers.end()) continue;
-    Scene_layer entry{layer.id, layer.label, primitives(layer.id), registry.cut(layer, settings), layer.style};
+  for (const Layer_spec* layer : layers) {
+    const auto changed = command_line.styles.find(layer->id);
+    Scene_layer entry{layer->id, layer->label, primitives(layer->id), registry.cut(*layer, command_line.settings),
+                      changed == command_line.styles.end() ? layer->style : changed->second};
     entry.style.visible = true;
     scene.layers.push_back(std::move(entry));
   }

@@ -16,8 +16,9 @@ namespace mesecina {
 int run_batch(const Command_line& command_line, const std::string& program, std::shared_ptr<const Registry> registry,
               const Formats& formats, std::ostream& errors);
 
-/// The layers that a picture shows: these, in the order of the registry, with their default looks.
-Scene make_scene(const Registry& registry, const Settings& settings, const std::vector<std::string>& layers,
+/// The layers that a picture shows: those of the command line or, where it has none, those visible by default; each
+/// once, in the order that it asks for and with the looks that it gives them.
+Scene make_scene(const Registry& registry, const Command_line& command_line,
                  const std::function<std::shared_ptr<const Primitive_set>(const std::string&)>& primitives);
 
 }  // namespace mesecina

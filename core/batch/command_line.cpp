@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/batch/style_option.h"
 #include "core/formats/number.h"
 
 namespace mesecina {
@@ -26,6 +27,12 @@ class Usage_error : public std::runtime_error {
   throw Usage_error(
       "unknown " + kind + " '" + name + "'" +
       (suggestion.empty() ? "; --list " + kind + "s shows them all" : "; did you mean '" + suggestion + "'?"));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 std::vector<std::string> layer_ids(const Registry& registry) {
@@ -69,6 +76,28 @@ Settings read_settings(const std::vector<std::string>& assignments, const Regist
     }
   }
   return settings;
+}
+
+/// By layer, the default look with the changes made to it, in their order.
+std::map<std::string, Style> read_styles(const std::vector<std::string>& changes, const Registry& registry,
+                                         const std::vector<std::string>& color_maps) {
+  std::map<std::string, Style> styles;
+  for (const std::string& change : changes) {
+    const auto equals = change.find('=');
+    const auto dot = change.find('.');
+    if (equals == std::string::npos || dot > equals)
+      throw Usage_error("--style " + change + ": expected LAYER.PROPERTY=VALUE; --list layers shows the layers");
+    const std::string id = change.substr(0, dot);
+    const Layer_spec* layer = registry.find_layer(id);
+    if (!layer) refuse_unknown("layer", id, layer_ids(registry));
+    try {
+      set_style_property(styles.try_emplace(id, layer->style).first->second, change.substr(dot + 1, equals - dot - 1),
+                         change.substr(equals + 1), color_maps);
+    } catch (const std::invalid_argument& error) {
+      throw Usage_error("--style " + change + ": " + error.what());
+    }
+  }
+  return styles;
 }
 
 std::pair<int, int> read_size(const std::string& text) {
@@ -119,7 +148,8 @@ View_2 read_view(const std::filesystem::path& file, int width, int height) {
 }  // namespace
 
 std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
-                                                          const Registry& registry, const Formats& formats) {
+                                                          const Registry& registry, const Formats& formats,
+                                                          const std::vector<std::string>& color_maps) {
   Command_line result;
   CLI::App app(
       "Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their filtrations.\n"
@@ -140,6 +170,12 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
+  app.add_option("--style", result.style_changes,
+                 "With --nogui, the look of a layer in pictures: LAYER.PROPERTY=VALUE, repeatable. Properties: " +
+                     joined(style_properties()))
+      ->allow_extra_args(false);
+  app.add_flag("--as-listed", result.as_listed,
+               "With --nogui, pictures show the layers in the order of --layers, the first below all others");
   app.add_option("--output", output, "Directory for the results")->capture_default_str();
   app.add_option("--formats", result.formats, "What to write: NAME,NAME,... (--list formats)")
       ->delimiter(',')
@@ -184,6 +220,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
     result.settings = read_settings(assignments, registry);
+    result.styles = read_styles(result.style_changes, registry, color_maps);
+    if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);
     if (view != "fit") result.view = read_view(view, result.width, result.height);
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");

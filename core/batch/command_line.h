@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,6 +11,7 @@
 
 #include "core/formats/format.h"
 #include "core/registry.h"
+#include "core/style.h"
 
 namespace mesecina {
 
@@ -25,6 +27,9 @@ struct Command_line {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> layers;  ///< known ids; empty: those visible by default
   Settings settings;
+  std::map<std::string, Style> styles;     ///< by layer: the looks in pictures that were changed from their defaults
+  std::vector<std::string> style_changes;  ///< as they were given: LAYER.PROPERTY=VALUE
+  bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
   std::filesystem::path output = "out";
   std::vector<std::string> formats = {"json"};
   int width = 1200;  ///< of pictures, in pixels
@@ -46,9 +51,11 @@ struct Early_exit {
   std::string text;  ///< to stdout if the code is 0, else to stderr
 };
 
-/// Reads the command line. Unknown layers, settings and formats give exit_wrong_usage with the nearest known name.
+/// Reads the command line. Unknown layers, settings, formats, properties of styles and colour maps (known are those
+/// named by `color_maps`) give exit_wrong_usage with the nearest known name.
 std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
-                                                          const Registry& registry, const Formats& formats);
+                                                          const Registry& registry, const Formats& formats,
+                                                          const std::vector<std::string>& color_maps);
 
 /// Text of --list WHAT: layers, settings or formats.
 std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats);

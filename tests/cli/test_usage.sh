@@ -5,7 +5,7 @@
 write_ellipse ellipse.xy
 
 succeed --help
-for option in --nogui --layers --set --output --formats --size --view --stats --jobs --resume --list --json --seed \
+for option in --nogui --layers --set --style --as-listed --output --formats --size --view --stats --jobs --resume --list --json --seed \
   --threads --log --version --help; do
   grep -qE -- "^ +(-.,)?$option( |$)" stdout || fail "expected the option $option"
 done
