@@ -122,12 +122,8 @@ bool Disk_tool_2::release(const Canvas_event& event) {
   if (event.button != Qt::LeftButton || state_ == State::idle) return false;
   const State state = std::exchange(state_, State::idle);
   path_.stop();
-  const double radius = distance(start_.position, event.position);
-  if (state == State::drawing && radius > 0) {
-    editor().add_disk({start_.position, radius});
-  } else if (state == State::pressed) {
-    editor().add_disk({start_.position, editor().usual_radius()});
-  }
+  const double radius = state == State::drawing ? distance(start_.position, event.position) : editor().usual_radius();
+  if (state != State::spraying && radius > 0) editor().add_disk({start_.position, radius});
   Q_EMIT preview_changed();
   Q_EMIT hovered(event);
   return true;
