@@ -46,11 +46,16 @@ Neighbors find_neighbors(const Regular_2& regular) {
   return result;
 }
 
+Point_2 unit_vector(const Point_2& from, const Point_2& to) {
+  const double length = distance(from, to);
+  return {(to.x - from.x) / length, (to.y - from.y) / length};
+}
+
 /// Of the angle between the directions from `at` to p and q.
 double cosine(const Point_2& at, const Point_2& p, const Point_2& q) {
-  const double p_length = distance(at, p);
-  const double q_length = distance(at, q);
-  return (p.x - at.x) / p_length * ((q.x - at.x) / q_length) + (p.y - at.y) / p_length * ((q.y - at.y) / q_length);
+  const Point_2 to_p = unit_vector(at, p);
+  const Point_2 to_q = unit_vector(at, q);
+  return to_p.x * to_q.x + to_p.y * to_q.y;
 }
 
 /// A spread of labels from pole to pole, the surest first.
@@ -136,14 +141,17 @@ int shared_sample(const Balls_2& balls, std::span<const int> disks) {
 }
 
 double intersection_cosine(const Balls_2& balls, int a, int b) {
-  // At a point where the circles meet the angle can be seen, whatever their radii are.
-  if (const int sample = shared_sample(balls, std::array{a, b}); sample >= 0)
-    return cosine((*balls.samples)[sample], balls.centers[a], balls.centers[b]);
-  const double ra = balls.radii[a];
-  const double rb = balls.radii[b];
-  const double d = distance(balls.centers[a], balls.centers[b]);
-  // (ra^2 + rb^2 - d^2) / (2 ra rb)
-  return 1 + (ra - rb - d) / ra * ((ra - rb + d) / rb) / 2;
+  if (balls.radii[a] < balls.radii[b]) std::swap(a, b);
+  const int shared = shared_sample(balls, std::array{a, b});
+  const Point_2& p = (*balls.samples)[shared >= 0 ? shared : balls.contacts_of(a).front()];
+  const Point_2& q = (*balls.samples)[shared >= 0 ? shared : balls.contacts_of(b).front()];
+  const Point_2 to_a = unit_vector(p, balls.centers[a]);
+  const Point_2 to_b = unit_vector(q, balls.centers[b]);
+  const Point_2 offset{p.x - q.x, p.y - q.y};
+  const auto dot = [](const Point_2& v, const Point_2& w) { return v.x * w.x + v.y * w.y; };
+  // (ra^2 + rb^2 - d^2) / (2 ra rb), but without the differences of large numbers when a is very large.
+  return dot(to_a, to_b) + dot(offset, to_b) / balls.radii[a] -
+         (dot(offset, offset) / (2 * balls.radii[a]) + dot(offset, to_a)) / balls.radii[b];
 }
 
 std::vector<std::uint8_t> Polar_balls_2::inner_triangles(std::size_t triangle_count) const {

@@ -106,8 +106,8 @@ Power_shape_2 power_shape(const Polar_balls_2& polar);
 /// O(log n) per contact of the disk that has the fewest.
 int shared_sample(const Balls_2& balls, std::span<const int> disks);
 
-/// Cosine of the angle between two disks: 1 for equal ones, 0 where they meet at a right angle, -1 where they touch
-/// from outside; beyond [-1,1] where they are apart or nested.
+/// Cosine of the angle between two disks, rounded: 1 for equal ones, 0 where they meet at a right angle, -1 where they
+/// touch from outside; beyond [-1,1] where they are apart or nested.
 double intersection_cosine(const Balls_2& balls, int a, int b);
 
 }  // namespace mesecina
