@@ -50,8 +50,8 @@ Sampled_shape inner_voronoi_disks(std::span<const Point_2> samples);
 Sampled_shape inner_voronoi_disks(std::span<const Point_2> samples, const Outline_2& outline);
 
 using Balls_check = std::function<testing::AssertionResult(const std::shared_ptr<const Balls_2>& balls)>;
-/// Expects it of the difficult sets and of so many sets of each family; tells of the smallest set of each family that
-/// fails.
+/// Expects it of the difficult sets and of so many sets of each family; of each family that fails it tells the least
+/// part of a set that does.
 void expect_of_given_balls(std::uint64_t seeds, const Balls_check& check);
 void expect_of_circumscribed_balls(std::uint64_t seeds, const Balls_check& check);
 

@@ -73,11 +73,11 @@ testing::AssertionResult edges_have_their_vertices(const Union_boundary_2& bound
   for (std::size_t e = 0; e < dual.edges.size(); ++e) {
     const auto& [a, b, left, right, kind] = dual.edges[e];
     const auto& found = boundary.vertices_of_edge[e];
-    const Exact_disk& da = oracle.disks[a];
-    const Exact_disk& db = oracle.disks[b];
-    const Real ux = to_real(db.x) - to_real(da.x);
-    const Real uy = to_real(db.y) - to_real(da.y);
-    const bool touches = sign(Rational(radical_line(da, db).foot_power)) == 0;
+    const Real_disk& da = oracle.real_disks[a];
+    const Real_disk& db = oracle.real_disks[b];
+    const Real ux = db.x - da.x;
+    const Real uy = db.y - da.y;
+    const bool touches = sign(radical_line(oracle.disks[a], oracle.disks[b]).foot_power) == 0;
     for (const int side : {0, 1}) {
       const bool has_triangle = kind == Dual_kind::interior ||
                                 (kind == Dual_kind::regular &&
@@ -92,7 +92,7 @@ testing::AssertionResult edges_have_their_vertices(const Union_boundary_2& bound
       const Oracle_vertex& vertex = oracle.vertices[match[v]];
       if (!std::ranges::binary_search(vertex.sources, a) || !std::ranges::binary_search(vertex.sources, b))
         return failure() << "vertex " << v << " of edge " << a << " " << b << " is not on its circles";
-      const Real turn = ux * (vertex.y - to_real(da.y)) - uy * (vertex.x - to_real(da.x));
+      const Real turn = ux * (vertex.y - da.y) - uy * (vertex.x - da.x);
       if (!touches && (turn > 0) != (side == 0))
         return failure() << "vertex " << v << " of edge " << a << " " << b << " is on the other side";
     }

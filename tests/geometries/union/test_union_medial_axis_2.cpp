@@ -28,12 +28,12 @@ struct Scene {
   double tolerance = 0;  ///< of lengths
 };
 
-Scene scene_of(const std::shared_ptr<const Balls_2>& balls) {
+Scene scene_of(const std::shared_ptr<const Balls_2>& balls, double alpha = 0) {
   Progress progress;
-  const auto boundary = std::make_shared<const Union_boundary_2>(union_boundary(balls, 0, progress));
+  const auto boundary = std::make_shared<const Union_boundary_2>(union_boundary(balls, alpha, progress));
   Union_voronoi_2 voronoi = union_voronoi(boundary, progress);
   Union_medial_axis_2 axis = union_medial_axis(voronoi, false, progress);
-  Scene scene{balls, boundary, std::move(voronoi), std::move(axis), union_oracle(*balls), 0};
+  Scene scene{balls, boundary, std::move(voronoi), std::move(axis), union_oracle(*balls, alpha), 0};
   double steepness = 1;
   for (const Oracle_vertex& v : scene.oracle.vertices)
     if (v.steepness > 0) steepness = std::min(steepness, v.steepness);
@@ -172,16 +172,32 @@ testing::AssertionResult nothing_is_missing(const Scene& s) {
   return testing::AssertionSuccess();
 }
 
-testing::AssertionResult is_medial_axis(const std::shared_ptr<const Balls_2>& balls) {
-  const Scene s = scene_of(balls);
+testing::AssertionResult is_medial_axis_for(const std::shared_ptr<const Balls_2>& balls, double alpha) {
+  const Scene s = scene_of(balls, alpha);
   if (auto result = is_graph(s); !result) return result;
   if (auto result = is_on_axis(s); !result) return result;
   return nothing_is_missing(s);
 }
 
+testing::AssertionResult is_medial_axis(const std::shared_ptr<const Balls_2>& balls) {
+  return is_medial_axis_for(balls, 0);
+}
+
 TEST(Union_medial_axis_2, is_the_medial_axis) { expect_of_given_balls(repetitions(40), is_medial_axis); }
 TEST(Union_medial_axis_2, is_the_medial_axis_of_circumscribed_disks) {
   expect_of_circumscribed_balls(repetitions(10), is_medial_axis);
+}
+
+TEST(Union_medial_axis_2, is_the_medial_axis_for_other_alpha) {
+  const auto check = [](const std::shared_ptr<const Balls_2>& balls) {
+    double square = 0;
+    for (const double radius : balls->radii) square = std::max(square, radius * radius);
+    for (const double alpha : {0.2 * square, -0.2 * square})
+      if (auto result = is_medial_axis_for(balls, alpha); !result) return result << " (alpha " << alpha << ")";
+    return testing::AssertionSuccess();
+  };
+  expect_of_given_balls(repetitions(5), check);
+  expect_of_circumscribed_balls(repetitions(2), check);
 }
 
 testing::AssertionResult voronoi_is_right(const std::shared_ptr<const Balls_2>& balls) {
@@ -211,10 +227,10 @@ testing::AssertionResult voronoi_is_right(const std::shared_ptr<const Balls_2>& 
     const Point_2& c = v.vertices[t];
     const double nearest = s.oracle.boundary_distance(c);
     const double margin = 1e3 * s.tolerance;
-    // On the boundary it cannot be told, nor where an arc is about as near as the corners.
-    const double excess = v.radii[t] - nearest;
-    if (nearest <= margin || (excess > s.tolerance && excess < margin)) continue;
-    const bool expected = s.oracle.is_inside(c) && excess <= s.tolerance;
+    // On the boundary it cannot be told, nor where an arc is as near as the corners, to rounding.
+    if (nearest <= margin) continue;
+    if (ball == -1 && std::abs(v.radii[t] - s.oracle.arc_distance(c)) <= margin) continue;
+    const bool expected = s.oracle.is_inside(c) && v.radii[t] - nearest <= s.tolerance;
     if ((v.is_inner[t] != 0) != expected)
       return failure() << "triangle " << t << " with Voronoi vertex " << to_text(c) << " is said to be "
                        << (expected ? "outside" : "inside");

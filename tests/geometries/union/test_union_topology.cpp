@@ -85,7 +85,9 @@ TEST(Union_topology_2, is_one_for_nearly_special_disks) {
   expect_of_circumscribed_balls(repetitions(8), [](const std::shared_ptr<const Balls_2>& balls) {
     std::vector<Disk_2> disks;
     for (std::size_t i = 0; i < balls->size(); ++i) disks.push_back({balls->centers[i], balls->radii[i]});
-    return has_one_topology(std::make_shared<const Balls_2>(given_balls(disks)), 0);
+    const auto rounded = std::make_shared<const Balls_2>(given_balls(disks));
+    const testing::AssertionResult result = has_one_topology(rounded, 0);
+    return result ? result : failure() << result.message() << "\n  " << mesecina::test::to_text(*rounded);
   });
   expect_of_circumscribed_balls(repetitions(5), [](const std::shared_ptr<const Balls_2>& balls) {
     return has_one_topology(std::make_shared<const Balls_2>(grown(*balls, 1.1)), 0);

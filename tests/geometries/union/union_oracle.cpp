@@ -12,7 +12,7 @@ namespace mesecina::test {
 
 namespace {
 
-const Real zero_length("1e-35");  ///< relative to the scale: far above rounding, far below what doubles can tell
+const Real zero_length("1e-80");  ///< relative to the scale: far above rounding, far below what doubles can tell
 
 struct Real_vector {
   Real x;
@@ -117,8 +117,8 @@ void find_vertices(Union_oracle& u) {
   for (Oracle_vertex& v : u.vertices) {
     for (const int a : v.sources) {
       for (const int b : v.sources) {
-        const Real_vector p{Real(v.x - to_real(u.disks[a].x)), Real(v.y - to_real(u.disks[a].y))};
-        const Real_vector q{Real(v.x - to_real(u.disks[b].x)), Real(v.y - to_real(u.disks[b].y))};
+        const Real_vector p{Real(v.x - u.real_disks[a].x), Real(v.y - u.real_disks[a].y)};
+        const Real_vector q{Real(v.x - u.real_disks[b].x), Real(v.y - u.real_disks[b].y)};
         const Real lengths = sqrt(dot(p, p) * dot(q, q));
         if (lengths > 0) v.steepness = std::max(v.steepness, std::abs(static_cast<double>(cross(p, q) / lengths)));
       }
@@ -141,10 +141,11 @@ Real_vector direction_between(const Real_vector& a, const Real_vector& b) {
 
 void find_arcs(Union_oracle& u) {
   const int count = static_cast<int>(u.disks.size());
+  const Real margin = zero_length * Real(u.scale) * Real(u.scale);
   for (int i = 0; i < count; ++i) {
     if (u.representative[i] != i) continue;
-    const Real_vector center{to_real(u.disks[i].x), to_real(u.disks[i].y)};
-    const Real radius = sqrt(to_real(u.disks[i].weight));
+    const Real_vector center{u.real_disks[i].x, u.real_disks[i].y};
+    const Real& radius = u.real_disks[i].radius;
     std::vector<std::pair<Real_vector, int>> ends;
     for (int v = 0; v < static_cast<int>(u.vertices.size()); ++v) {
       if (!std::ranges::binary_search(u.vertices[v].sources, i)) continue;
@@ -157,10 +158,8 @@ void find_arcs(Union_oracle& u) {
       const Real_vector p{Real(center.x + radius * direction.x), Real(center.y + radius * direction.y)};
       for (int k = 0; k < count; ++k) {
         if (u.representative[k] != k || k == i) continue;
-        const Real_vector d{Real(p.x - to_real(u.disks[k].x)), Real(p.y - to_real(u.disks[k].y))};
-        const Real reach = to_real(u.disks[k].weight);
-        const Real margin = zero_length * Real(u.scale) * Real(u.scale);
-        if (dot(d, d) - reach <= margin) return true;
+        const Real_vector d{Real(p.x - u.real_disks[k].x), Real(p.y - u.real_disks[k].y)};
+        if (dot(d, d) - u.real_disks[k].weight <= margin) return true;
       }
       return false;
     };
@@ -196,14 +195,14 @@ int count_curves(const Union_oracle& u) {
   int result = 0;
   for (std::size_t a = 0; a < u.arcs.size(); ++a) {
     const Oracle_arc& arc = u.arcs[a];
-    const Exact_disk& disk = u.disks[arc.ball];
+    const Real_disk& disk = u.real_disks[arc.ball];
     if (arc.from == -1) ++result;
     // A point on another circle bounds nothing by itself.
-    if (arc.from == -1 || sign(disk.weight) == 0) continue;
-    const Real curvature = 1 / sqrt(to_real(disk.weight));
+    if (arc.from == -1 || disk.radius == 0) continue;
+    const Real curvature = 1 / disk.radius;
     for (const bool departs : {true, false}) {
       const int v = departs ? arc.from : arc.to;
-      const Real_vector out = unit({Real(u.vertices[v].x - to_real(disk.x)), Real(u.vertices[v].y - to_real(disk.y))});
+      const Real_vector out = unit({Real(u.vertices[v].x - disk.x), Real(u.vertices[v].y - disk.y)});
       if (departs) {
         ends[v].push_back({{Real(-out.y), out.x}, curvature, a, true});
       } else {
@@ -271,10 +270,10 @@ double angle_from(double start, double angle) {
 }  // namespace
 
 Real to_real(const Rational& value) {
-  // A sum of four doubles, each of what the ones before leave, has more digits than a Real.
+  // A sum of eight doubles, each of what the ones before leave, has more digits than a Real.
   Rational rest = value;
   Real result = 0;
-  for (int i = 0; i < 4 && sign(rest) != 0; ++i) {
+  for (int i = 0; i < 8 && sign(rest) != 0; ++i) {
     const double part = CGAL::to_double(rest);
     result += part;
     rest -= Rational(part);
@@ -299,8 +298,11 @@ Union_oracle union_oracle(const Balls_2& balls, double alpha) {
     for (int j = 0; j < i && least == i; ++j)
       if (are_equal(disk, u.disks[j])) least = j;
     u.representative.push_back(least);
+    const Real weight = to_real(disk.weight);
+    const Real radius = least == -1 ? Real(0) : Real(sqrt(weight));
+    u.real_disks.push_back({to_real(disk.x), to_real(disk.y), weight, radius});
     u.centers.push_back({CGAL::to_double(disk.x), CGAL::to_double(disk.y)});
-    u.radii.push_back(least == -1 ? 0 : static_cast<double>(sqrt(to_real(disk.weight))));
+    u.radii.push_back(static_cast<double>(radius));
     u.scale = std::max({u.scale, std::abs(u.centers.back().x), std::abs(u.centers.back().y), u.radii.back()});
   }
   find_vertices(u);
@@ -312,49 +314,30 @@ Union_oracle union_oracle(const Balls_2& balls, double alpha) {
   return u;
 }
 
-std::vector<Contact> Union_oracle::nearest(const Point_2& query, double slack) const {
-  std::vector<Contact> all;
-  for (const Oracle_vertex& v : vertices) all.push_back({v.point(), distance(query, v.point())});
+double Union_oracle::vertex_distance(const Point_2& query) const {
+  double result = std::numeric_limits<double>::infinity();
+  for (const Oracle_vertex& v : vertices) result = std::min(result, distance(query, v.point()));
+  return result;
+}
+
+double Union_oracle::arc_distance(const Point_2& query) const {
+  double result = std::numeric_limits<double>::infinity();
   for (const Oracle_arc& arc : arcs) {
     const Point_2& c = centers[arc.ball];
-    const double away = distance(query, c);
-    if (away == 0) {
-      // Every point of the arc is nearest; two of them stand for all.
-      for (const double part : {0.25, 0.75}) {
-        double start = 0;
-        double sweep = 2 * std::numbers::pi;
-        if (arc.from != -1) {
-          const Point_2 p = vertices[arc.from].point();
-          const Point_2 q = vertices[arc.to].point();
-          start = std::atan2(p.y - c.y, p.x - c.x);
-          if (arc.from != arc.to) sweep = angle_from(start, std::atan2(q.y - c.y, q.x - c.x));
-        }
-        const double angle = start + part * sweep;
-        const double r = radii[arc.ball];
-        all.push_back({{c.x + r * std::cos(angle), c.y + r * std::sin(angle)}, r});
-      }
-      continue;
-    }
-    if (arc.from != arc.to) {
+    if (arc.from != arc.to && query != c) {
       const Point_2 p = vertices[arc.from].point();
       const Point_2 q = vertices[arc.to].point();
       const double start = std::atan2(p.y - c.y, p.x - c.x);
       const double sweep = angle_from(start, std::atan2(q.y - c.y, q.x - c.x));
       if (angle_from(start, std::atan2(query.y - c.y, query.x - c.x)) > sweep) continue;
     }
-    const double r = radii[arc.ball];
-    all.push_back({{c.x + r / away * (query.x - c.x), c.y + r / away * (query.y - c.y)}, std::abs(away - r)});
+    result = std::min(result, std::abs(distance(query, c) - radii[arc.ball]));
   }
-  std::ranges::sort(all, {}, &Contact::distance);
-  std::vector<Contact> result;
-  for (const Contact& contact : all)
-    if (contact.distance <= all.front().distance * slack) result.push_back(contact);
   return result;
 }
 
 double Union_oracle::boundary_distance(const Point_2& query) const {
-  const auto contacts = nearest(query, 1);
-  return contacts.empty() ? std::numeric_limits<double>::infinity() : contacts.front().distance;
+  return std::min(vertex_distance(query), arc_distance(query));
 }
 
 bool Union_oracle::is_inside(const Point_2& query) const {

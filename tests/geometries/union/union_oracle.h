@@ -12,7 +12,7 @@
 /// digits.
 namespace mesecina::test {
 
-using Real = boost::multiprecision::cpp_bin_float_50;
+using Real = boost::multiprecision::cpp_bin_float_100;
 
 struct Oracle_vertex {
   Real x;
@@ -33,14 +33,17 @@ struct Oracle_arc {
   auto operator<=>(const Oracle_arc&) const = default;
 };
 
-/// Nearest point of the boundary on one vertex or within one arc.
-struct Contact {
-  Point_2 point;
-  double distance = 0;
+/// A disk to 100 digits.
+struct Real_disk {
+  Real x;
+  Real y;
+  Real weight;
+  Real radius;  ///< 0 for an empty disk
 };
 
 struct Union_oracle {
   std::vector<Exact_disk> disks;
+  std::vector<Real_disk> real_disks;
   std::vector<int> representative;  ///< per disk the least equal one; -1 for an empty disk
   std::vector<Oracle_vertex> vertices;
   std::vector<Oracle_arc> arcs;  ///< of disks that represent themselves
@@ -52,9 +55,10 @@ struct Union_oracle {
   std::vector<double> radii;     ///< rounded; 0 for an empty disk
   double scale = 0;              ///< largest coordinate or radius
 
-  /// Nearest points of the boundary, nearest first: all of those on different vertices and within arcs that are nearer
-  /// than `slack` times the least distance.
-  std::vector<Contact> nearest(const Point_2& query, double slack) const;
+  /// To the nearest vertex; infinite without one.
+  double vertex_distance(const Point_2& query) const;
+  /// To the nearest point within an arc, if a nearest one of an arc is not at its ends; else infinite.
+  double arc_distance(const Point_2& query) const;
   double boundary_distance(const Point_2& query) const;
   /// In one of the closed disks, to rounding: where disks surround a point it is on circles only.
   bool is_inside(const Point_2& query) const;
