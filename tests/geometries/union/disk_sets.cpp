@@ -231,6 +231,36 @@ Disks together(std::uint64_t seed) {
   return result;
 }
 
+/// Special positions missed by the last digit.
+Disks nearly_special(std::uint64_t seed) {
+  Random random(seed);
+  const std::uint64_t base = seed / 4;
+  Disks result = seed % 4 == 0   ? through_points(base)
+                 : seed % 4 == 1 ? tangent(base)
+                 : seed % 4 == 2 ? regular_grid(base)
+                                 : pencil(base);
+  const auto nudge = [&](double& value) {
+    if (value != 0 && random.chance(0.3)) value = std::nextafter(value, random.chance(0.5) ? 1e9 : -1e9);
+  };
+  for (Disk_2& disk : result) {
+    nudge(disk.center.x);
+    nudge(disk.center.y);
+    if (disk.radius > 0) nudge(disk.radius);
+  }
+  return result;
+}
+/// Nearly half-planes around a few small disks.
+Disks large_radii(std::uint64_t seed) {
+  Random random(seed);
+  Disks result = random_disks(random, 6, 10, 0, 4);
+  for (int i = 0; i < 4; ++i) {
+    const double angle = random.uniform(0, 6.3);
+    const double r = std::pow(10.0, random.uniform(2, 7));
+    const double away = r + random.uniform(5, 15);
+    result.push_back({{away * std::cos(angle), away * std::sin(angle)}, r});
+  }
+  return result;
+}
 /// More disks than in the other families.
 Disks many(std::uint64_t seed) {
   Random random(seed);
@@ -420,6 +450,8 @@ std::vector<Disk_family> disk_families() {
       {"far away", far_away},
       {"together", together},
       {"many", many},
+      {"nearly special", nearly_special},
+      {"large radii", large_radii},
   };
 }
 
