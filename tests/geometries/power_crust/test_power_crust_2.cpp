@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "geometries/labels_2/labels_2.h"
@@ -158,6 +159,29 @@ TEST(Power_crust, OfARectangleFollowsItsStraightEdges) {
         for (const int vertex : segment) {
           EXPECT_LT(distance_to_curves(pipeline.diagram.vertices[vertex], {curve}), 1e-5);
         }
+      }
+    }
+  }
+}
+
+TEST(Power_crust, CirclesThroughOneSampleShareAVertex) {
+  for (const auto& samples : {flower(500, 0.3, 5, 0.8), rectangle(8, 0), rectangle(8, 0.7)}) {
+    const Polar_pipeline pipeline = power_crust_of(samples);
+    const Regular_2& regular = *pipeline.polar.regular;
+    std::map<int, int> vertex_at_sample;
+    for (std::size_t t = 0; t < regular.triangles.size(); ++t) {
+      const int sample = regular.balls->common_contact(regular.triangles[t]);
+      if (sample < 0) continue;
+      const int vertex = pipeline.diagram.vertex_of_triangle[t];
+      EXPECT_EQ(vertex_at_sample.emplace(sample, vertex).first->second, vertex);
+      EXPECT_EQ(pipeline.diagram.vertices[vertex], samples[sample]);
+    }
+    EXPECT_GT(vertex_at_sample.size(), 10u);
+    EXPECT_LT(pipeline.diagram.vertices.size(), regular.triangles.size());
+    for (const auto& [t, i] : power_edges(pipeline.polar, pipeline.diagram)) {
+      const int u = regular.neighbors[t][i];
+      if (u >= 0) {
+        EXPECT_NE(pipeline.diagram.vertex_of_triangle[t], pipeline.diagram.vertex_of_triangle[u]);
       }
     }
   }

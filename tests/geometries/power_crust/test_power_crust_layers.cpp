@@ -98,6 +98,35 @@ TEST_F(Power_crust_layers, AreOnTheScaleOfTheSamples) {
   EXPECT_FALSE(layer("polar-triangulation")->rays.empty());
 }
 
+TEST_F(Power_crust_layers, TriangulationHasARayForEveryEdgeToInfinity) {
+  const std::vector<Point_2> samples = annulus();
+  set_points(samples);
+  const auto polar = graph_.structure(polar_balls_2_key, progress_).value;
+  ASSERT_TRUE(polar);
+  std::size_t segments = 0;
+  std::size_t rays = 0;
+  for (int t = 0; t < static_cast<int>(polar->regular->triangles.size()); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      if (!polar->regular->edge_is_listed(t, i)) continue;
+      const auto [a, b] = polar->regular->edge(t, i);
+      const int infinite = (polar->poles->is_infinite(a) ? 1 : 0) + (polar->poles->is_infinite(b) ? 1 : 0);
+      if (infinite == 0) ++segments;
+      if (infinite == 1) ++rays;
+    }
+  }
+  const auto set = layer("polar-triangulation");
+  EXPECT_EQ(set->segments.size(), segments);
+  EXPECT_EQ(set->rays.size(), rays);
+  // The hull of the annulus is the circle around the origin: its outward directions are those of the samples.
+  for (std::size_t r = 0; r < set->rays.size(); ++r) {
+    const std::int64_t id = set->id(set->segments.size() + r);
+    const auto [a, b] = polar->regular->edge(static_cast<int>(id / 3), static_cast<int>(id % 3));
+    const Point_2& s = samples[polar->poles->samples_of(std::max(a, b)).front()];
+    EXPECT_NEAR(set->rays[r].direction.x, s.x, 0.03);
+    EXPECT_NEAR(set->rays[r].direction.y, s.y, 0.03);
+  }
+}
+
 TEST_F(Power_crust_layers, SayWhyThereIsNothing) {
   set_points({{0, 0}, {1, 1}, {2, 2}});
   for (const std::string& id : layers) EXPECT_NE(reason(id).find("not on one line"), std::string::npos) << id;
