@@ -104,6 +104,7 @@ constexpr std::array properties = {
 
 std::vector<std::string> style_properties() {
   std::vector<std::string> names;
+  names.reserve(properties.size());
   for (const Property& property : properties) names.emplace_back(property.name);
   return names;
 }
