@@ -52,14 +52,14 @@ void expect_circumscribed(std::span<const Point_2> samples, const std::vector<st
         contacts.push_back(s);
     triangles_of_contacts[contacts].push_back(t);
   }
-  // In the order of the first chosen triangle or of the first at all: the header says "their least triangle".
-  std::map<int, std::pair<std::vector<int>, std::vector<int>>> expected;
+  struct Expected_ball {
+    std::vector<int> contacts;
+    std::vector<int> triangles;
+  };
+  std::map<int, Expected_ball> expected;  // by the least of the chosen triangles
   for (const auto& [contacts, triangles] : triangles_of_contacts) {
-    for (const int t : triangles) {
-      if (!is_chosen[t]) continue;
-      expected[t] = {contacts, triangles};
-      break;
-    }
+    const auto least = std::ranges::find_if(triangles, [&](int t) { return is_chosen[t] != 0; });
+    if (least != triangles.end()) expected[*least] = {contacts, triangles};
   }
   const Balls_2& balls = result.balls;
   ASSERT_EQ(balls.size(), expected.size());
@@ -67,10 +67,11 @@ void expect_circumscribed(std::span<const Point_2> samples, const std::vector<st
   ASSERT_EQ(result.triangles.size(), expected.size());
   ASSERT_EQ(result.ball_of_triangle.size(), d.triangles.size());
   std::vector<int> ball_of_triangle(d.triangles.size(), -1);
-  int ball = 0;
-  for (const auto& [least, described] : expected) {
-    const auto& [contacts, triangles] = described;
-    EXPECT_EQ(result.triangles[ball], least);
+  std::set<int> seen;
+  for (int ball = 0; ball < static_cast<int>(balls.size()); ++ball) {
+    ASSERT_TRUE(expected.contains(result.triangles[ball])) << ball;
+    EXPECT_TRUE(seen.insert(result.triangles[ball]).second) << ball;
+    const auto& [contacts, triangles] = expected.at(result.triangles[ball]);
     EXPECT_TRUE(std::ranges::equal(balls.contacts_of(ball), contacts));
     for (const int t : triangles) ball_of_triangle[t] = ball;
     const Exact_point c = exact_circumcenter(samples[contacts[0]], samples[contacts[1]], samples[contacts[2]]);
@@ -79,7 +80,6 @@ void expect_circumscribed(std::span<const Point_2> samples, const std::vector<st
     const double tolerance = 1e-6 * radius + 1e-15 * (std::abs(center.x) + std::abs(center.y));
     EXPECT_NEAR(distance(balls.centers[ball], center), 0, tolerance);
     EXPECT_NEAR(balls.radii[ball], radius, tolerance);
-    ++ball;
   }
   EXPECT_EQ(result.ball_of_triangle, ball_of_triangle);
 }
