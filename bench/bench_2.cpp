@@ -6,16 +6,15 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <map>
 #include <string>
 #include <thread>
 
 #include "bench/curves.h"
+#include "bench/table.h"
 #include "core/graph.h"
 #include "geometries/crust_2/one_step_crust.h"
 #include "geometries/delaunay_2/delaunay_2.h"
@@ -29,25 +28,6 @@ namespace {
 
 using namespace mesecina;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-double seconds(const std::function<void()>& run) {
-  const auto start = std::chrono::steady_clock::now();
-  run();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool all_met = true;
-
-/// One row of the table; a goal of 0 is none. `at_most`: the figure must not exceed the goal, else not fall short of
-/// it.
-void row(const std::string& what, double figure, const char* unit, double goal = 0, bool at_most = true) {
-  const bool met = goal == 0 || (at_most ? figure <= goal : figure >= goal);
-  all_met = all_met && met;
-  std::printf("%-74s %9.3g %-9s", what.c_str(), figure, unit);
-  if (goal != 0) std::printf(" goal %s %-6.3g %s", at_most ? "<=" : ">=", goal, met ? "met" : "MISSED");
-  std::printf("\n");
-  std::fflush(stdout);
-}
 
 struct Times {
   double baseline = 1e300;  ///< CGAL's own insertion
@@ -89,19 +69,20 @@ Times measure(std::size_t count, int threads, int repetitions) {
   return best;
 }
 
-void bench_pipeline(int threads) {
+void bench_pipeline(Table& table, int threads) {
   const Times small = measure(100'000, threads, 5);
   const Times large = measure(1'000'000, threads, 3);
   const std::string on = " [" + std::to_string(threads) + (threads == 1 ? " thread]" : " threads]");
-  row("10^6 samples: Delaunay ... angle / CGAL insertion" + on, (large.delaunay + large.rest) / large.baseline, "x",
-      1.8);
-  row("10^6 samples: scale filtration / CGAL insertion" + on, large.scale / large.baseline, "x", 3);
-  row("10^5 to 10^6: growth exponent of Delaunay ... angle" + on,
-      std::log10((large.delaunay + large.rest) / (small.delaunay + small.rest)), "");
-  row("10^5 to 10^6: growth exponent of the scale filtration" + on, std::log10(large.scale / small.scale), "", 1.15);
+  table.row("10^6 samples: Delaunay ... angle / CGAL insertion" + on, (large.delaunay + large.rest) / large.baseline,
+            "x", 1.8);
+  table.row("10^6 samples: scale filtration / CGAL insertion" + on, large.scale / large.baseline, "x", 3);
+  table.row("10^5 to 10^6: growth exponent of Delaunay ... angle" + on,
+            std::log10((large.delaunay + large.rest) / (small.delaunay + small.rest)), "");
+  table.row("10^5 to 10^6: growth exponent of the scale filtration" + on, std::log10(large.scale / small.scale), "",
+            1.15);
 }
 
-void bench_drag(std::size_t count, double goal, int threads) {
+void bench_drag(Table& table, std::size_t count, double goal, int threads) {
   Graph graph(make_registry_2());
   std::vector<Point_2> points = smooth_curve(count);
   const auto evaluate = [&] {
@@ -129,8 +110,9 @@ void bench_drag(std::size_t count, double goal, int threads) {
     }
   });
   const std::string name = "drag 1 of " + std::to_string(count) + " samples, five layers: ";
-  row(name + "updates", moves / total, "per s", goal, false);
-  row(name + "Delaunay, update / full", stage_seconds("delaunay-triangulation-2") / moves / full_delaunay, "x", 0.1);
+  table.row(name + "updates", moves / total, "per s", goal, false);
+  table.row(name + "Delaunay, update / full", stage_seconds("delaunay-triangulation-2") / moves / full_delaunay, "x",
+            0.1);
   if (std::getenv("MESECINA_BENCH_STAGES")) {
     std::map<std::string, double> stages;
     for (const Graph::Stage& stage : graph.stages()) stages[stage.id] += stage.seconds;
@@ -138,7 +120,7 @@ void bench_drag(std::size_t count, double goal, int threads) {
   }
 }
 
-void bench_star(int threads) {
+void bench_star(Table& table, int threads) {
   const Outline_2 star = noisy_star(10'000, 1);
   double best = 1e300;
   for (int i = 0; i < 5; ++i) {
@@ -150,11 +132,11 @@ void bench_star(int threads) {
                         std::abort();
                     }));
   }
-  row("star of 10^4 segments: outline to medial axis and scale filtration", best, "s", 0.15);
+  table.row("star of 10^4 segments: outline to medial axis and scale filtration", best, "s", 0.15);
 }
 
 /// In a process of its own, so that the peak is that of this case.
-void bench_memory() {
+void bench_memory(Table& table) {
   constexpr std::size_t count = 1'000'000;
   {
     Graph graph(make_registry_2());
@@ -165,22 +147,23 @@ void bench_memory() {
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  row("10^6 samples, crust, lambda and angle layers: peak memory per sample",
-      static_cast<double>(usage.ru_maxrss) * 1024 / count, "bytes", 1200);
+  table.row("10^6 samples, crust, lambda and angle layers: peak memory per sample",
+            static_cast<double>(usage.ru_maxrss) * 1024 / count, "bytes", 1200);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  Table table;
   if (argc > 1 && std::string(argv[1]) == "--memory") {
-    bench_memory();
+    bench_memory(table);
   } else {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    bench_pipeline(1);
-    if (cores > 1) bench_pipeline(cores);
-    bench_drag(10'000, 60, cores);
-    bench_drag(100'000, 10, cores);
-    bench_star(cores);
+    bench_pipeline(table, 1);
+    if (cores > 1) bench_pipeline(table, cores);
+    bench_drag(table, 10'000, 60, cores);
+    bench_drag(table, 100'000, 10, cores);
+    bench_star(table, cores);
   }
-  return all_met ? 0 : 1;
+  return table.all_met() ? 0 : 1;
 }

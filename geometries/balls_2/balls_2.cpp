@@ -2,6 +2,7 @@
 #include "geometries/balls_2/balls_2.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,26 @@ std::vector<int> circle_classes(const Delaunay_2& triangulation, Progress& progr
   return parent;
 }
 
+/// Sorts triangles by their Voronoi vertices. Comparing asks whether to stop: the sort has no other place for it.
+struct Hilbert_traits {
+  using Point_2 = int;
+  struct Less {
+    const std::vector<mesecina::Point_2>* vertices;
+    const Progress* progress;
+    double mesecina::Point_2::*coordinate;
+    bool operator()(int t, int u) const {
+      progress->check();
+      return (*vertices)[t].*coordinate < (*vertices)[u].*coordinate;
+    }
+  };
+  using Less_x_2 = Less;
+  using Less_y_2 = Less;
+  const std::vector<mesecina::Point_2>* vertices;
+  const Progress* progress;
+  Less less_x_2_object() const { return {vertices, progress, &mesecina::Point_2::x}; }
+  Less less_y_2_object() const { return {vertices, progress, &mesecina::Point_2::y}; }
+};
+
 }  // namespace
 
 Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const Voronoi_2& voronoi,
@@ -80,10 +101,15 @@ Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const
   const std::vector<int> circle = circle_classes(triangulation, progress);
   std::vector<int> ball_of_circle(count, -1);
   Balls_2& balls = result.balls;
+  constexpr int chosen = -2;
   for (int t = 0; t < count; ++t) {
-    if (is_chosen[t] == 0 || ball_of_circle[circle[t]] >= 0) continue;
-    ball_of_circle[circle[t]] = static_cast<int>(result.triangles.size());
+    if (is_chosen[t] == 0 || ball_of_circle[circle[t]] == chosen) continue;
+    ball_of_circle[circle[t]] = chosen;
     result.triangles.push_back(t);
+  }
+  CGAL::hilbert_sort(result.triangles.begin(), result.triangles.end(), Hilbert_traits{&voronoi.vertices, &progress});
+  for (const int t : result.triangles) {
+    ball_of_circle[circle[t]] = static_cast<int>(balls.centers.size());
     balls.centers.push_back(voronoi.vertices[t]);
     balls.radii.push_back(voronoi.radii[t]);
   }

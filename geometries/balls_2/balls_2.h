@@ -47,8 +47,8 @@ struct Circumscribed_balls_2 {
   std::vector<int> triangles;         ///< per disk the least of the chosen triangles that it is circumscribed to
   std::vector<int> ball_of_triangle;  ///< per Delaunay triangle; -1 for those without a disk
 };
-/// Disks of the triangles t with is_chosen[t], in the order of their least triangle. A disk is chosen when one of its
-/// triangles is. O(n).
+/// Disks of the triangles t with is_chosen[t], along a Hilbert curve, so that neighbours are near each other in memory.
+/// A disk is chosen when one of its triangles is. O(n log n).
 Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const Voronoi_2& voronoi,
                                           std::span<const std::uint8_t> is_chosen, Progress& progress);
 

@@ -9,8 +9,8 @@
 namespace mesecina {
 
 /// A number known to about 100 bits: the sum of two doubles, and how far that may be from it. For decisions that
-/// intervals of doubles cannot take and that are rarely so close that rationals must. Operations require that rounding
-/// is to nearest. Overflow gives an unknown number.
+/// intervals of doubles cannot take and that are rarely so close that rationals must. All but the
+/// bounds require that rounding is to nearest. Overflow gives an unknown number.
 /// [T. Dekker: A floating-point technique for extending the available precision, 1971]
 class Double_double {
  public:
@@ -60,6 +60,9 @@ class Double_double {
     if (is_zero()) return CGAL::ZERO;
     return CGAL::Uncertain<CGAL::Sign>::indeterminate();
   }
+  /// Bounds of the number. Requires that rounding is upwards.
+  double upper_bound() const { return high_ + (low_ + error_); }
+  double lower_bound() const { return -(-high_ + (-low_ + error_)); }
 
  private:
   bool is_zero() const { return high_ == 0 && error_ == 0; }

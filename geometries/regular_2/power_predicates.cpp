@@ -54,8 +54,8 @@ Circle<Number> circumcircle(const Point_2& p, const Point_2& q, const Point_2& r
   return {px + cx, py + cy, square_of(cx) + square_of(cy)};
 }
 
-bool is_bounded(const CGAL::Interval_nt<false>& interval) {
-  return std::isfinite(interval.inf()) && std::isfinite(interval.sup());
+bool is_bounded(const Double_double& number) {
+  return std::isfinite(number.lower_bound()) && std::isfinite(number.upper_bound());
 }
 
 }  // namespace
@@ -79,13 +79,14 @@ Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_
   }
   const Upward_rounding rounding;
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    const auto circle = circumcircle<Interval>(corner(b, 0), corner(b, 1), corner(b, 2));
-    if (is_bounded(circle.x) && is_bounded(circle.y) && is_bounded(circle.squared_radius)) {
-      intervals_.push_back({circle.x, circle.y, circle.squared_radius});
+    const Lifted<Double_double>& value = precise_[b];
+    const auto interval = [](const Double_double& of) { return Interval(of.lower_bound(), of.upper_bound()); };
+    if (is_bounded(value.x) && is_bounded(value.y) && is_bounded(value.w)) {
+      intervals_.push_back({interval(value.x), interval(value.y), interval(value.w)});
     } else {
-      const Lifted<Rational> value = compute_exact(static_cast<int>(b));
-      intervals_.push_back({Interval(CGAL::to_interval(value.x)), Interval(CGAL::to_interval(value.y)),
-                            Interval(CGAL::to_interval(value.w))});
+      const Lifted<Rational> exact = compute_exact(static_cast<int>(b));
+      intervals_.push_back({Interval(CGAL::to_interval(exact.x)), Interval(CGAL::to_interval(exact.y)),
+                            Interval(CGAL::to_interval(exact.w))});
     }
   }
 }

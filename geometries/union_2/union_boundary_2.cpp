@@ -28,7 +28,8 @@ class Boundary_builder {
         regular_(*dual_.regular),
         balls_(*regular_.balls),
         predicates_(balls_),
-        progress_(progress) {}
+        progress_(progress),
+        vertex_of_sample_(balls_.is_circumscribed() ? balls_.samples->size() : 0, -1) {}
 
   void build() {
     set_radii();
@@ -83,12 +84,12 @@ class Boundary_builder {
   }
 
   int vertex_of_sample(int sample, int edge, bool on_left) {
-    const auto [place, is_new] = vertex_of_sample_.try_emplace(sample, static_cast<int>(origins_.size()));
-    if (is_new) {
-      add_vertex(edge, on_left, -1);
+    int& vertex = vertex_of_sample_[sample];
+    if (vertex < 0) {
+      vertex = add_vertex(edge, on_left, -1);
       boundary_.samples.back() = sample;
     }
-    return place->second;
+    return vertex;
   }
 
   int vertex_of_flat_class(int triangle, int edge, bool on_left) {
@@ -163,10 +164,8 @@ class Boundary_builder {
     }
     if (!vertex_of_sample_.empty()) {
       for (int b = 0; b < static_cast<int>(balls_.size()); ++b) {
-        for (const int sample : balls_.contacts_of(b)) {
-          const auto place = vertex_of_sample_.find(sample);
-          if (place != vertex_of_sample_.end()) sources[place->second].push_back(b);
-        }
+        for (const int sample : balls_.contacts_of(b))
+          if (const int vertex = vertex_of_sample_[sample]; vertex >= 0) sources[vertex].push_back(b);
       }
     }
     boundary_.source_offsets.push_back(0);
@@ -350,7 +349,7 @@ class Boundary_builder {
   Progress& progress_;
   std::vector<int> flat_class_;
   std::vector<Origin> origins_;
-  std::unordered_map<int, int> vertex_of_sample_;
+  std::vector<int> vertex_of_sample_;  ///< -1 for samples that are no vertex
   std::unordered_map<int, int> vertex_of_class_;
   std::vector<int> edge_of_corner_;
 };
