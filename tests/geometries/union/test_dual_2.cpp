@@ -139,7 +139,7 @@ testing::AssertionResult is_dual_complex_for_several_alpha(const std::shared_ptr
 TEST(Dual_2, equals_the_definition) { expect_of_given_balls(repetitions(25), is_dual_complex_for_several_alpha); }
 
 TEST(Dual_2, equals_the_definition_for_circumscribed_disks) {
-  expect_of_circumscribed_balls(repetitions(15), is_dual_complex_for_several_alpha);
+  expect_of_circumscribed_balls(repetitions(9), is_dual_complex_for_several_alpha);
 }
 
 TEST(Dual_2, of_simple_sets) {

@@ -158,7 +158,7 @@ testing::AssertionResult is_regular_triangulation(const std::shared_ptr<const Ba
 TEST(Regular_2, equals_the_definition) { expect_of_given_balls(repetitions(40), is_regular_triangulation); }
 
 TEST(Regular_2, equals_the_definition_for_circumscribed_disks) {
-  expect_of_circumscribed_balls(repetitions(25), is_regular_triangulation);
+  expect_of_circumscribed_balls(repetitions(16), is_regular_triangulation);
 }
 
 TEST(Regular_2, equals_the_definition_for_parts_of_circumscribed_disks) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <tuple>
@@ -210,6 +211,12 @@ testing::AssertionResult voronoi_is_right(const std::shared_ptr<const Balls_2>& 
   if (v.is_inner.size() != count || v.ball_of_triangle.size() != count || v.vertices.size() != count ||
       v.radii.size() != count)
     return failure() << "sizes are wrong";
+  double separation = std::numeric_limits<double>::infinity();
+  for (const Point_2& p : s.boundary->vertices)
+    for (const Point_2& q : s.boundary->vertices)
+      if (&p < &q) separation = std::min(separation, distance(p, q));
+  if (v.lost_chords != 0 && separation > 1e-6 * s.oracle.scale)
+    return failure() << v.lost_chords << " chords lost, though vertices are " << separation << " apart";
   for (std::size_t t = 0; t < count; ++t) {
     const auto& triangle = v.delaunay.triangles[t];
     // Vertices that are one to rounding share a corner.
