@@ -15,7 +15,7 @@
 namespace mesecina {
 
 int Balls_2::common_contact(std::span<const int> disks) const {
-  if (!samples || disks.empty()) return -1;
+  if (contact_offsets.empty() || disks.empty()) return -1;
   for (const int sample : contacts_of(disks.front())) {
     const auto touches = [&](int ball) {
       const auto own = contacts_of(ball);
@@ -139,11 +139,13 @@ Circumscribed_balls_2 circumscribed_balls(const Delaunay_2& triangulation, const
 Balls_2 subset(const Balls_2& balls, std::span<const int> kept) {
   Balls_2 result;
   result.samples = balls.samples;
-  if (balls.samples) result.contact_offsets.push_back(0);
+  const bool has_contacts = !balls.contact_offsets.empty();
+  if (has_contacts) result.contact_offsets.push_back(0);
   for (const int ball : kept) {
     result.centers.push_back(balls.centers[ball]);
     result.radii.push_back(balls.radii[ball]);
-    if (!balls.samples) continue;
+    if (!balls.center_rests.empty()) result.center_rests.push_back(balls.center_rests[ball]);
+    if (!has_contacts) continue;
     const auto contacts = balls.contacts_of(ball);
     result.contacts.insert(result.contacts.end(), contacts.begin(), contacts.end());
     result.contact_offsets.push_back(static_cast<int>(result.contacts.size()));

@@ -23,17 +23,23 @@ struct Balls_2 {
   std::vector<double> radii;
   /// Null for disks that were given. Else the samples, of which every disk has at least three on its circle.
   std::shared_ptr<const std::vector<Point_2>> samples;
-  std::vector<int> contact_offsets;  ///< size() + 1 offsets into `contacts`; empty without samples
-  std::vector<int> contacts;         ///< per disk all samples on its circle, ascending
+  std::vector<int> contact_offsets;  ///< size() + 1 offsets into `contacts`; empty when nothing is known
+  /// Per disk all samples on its circle, ascending. For points (radius 0) that were given, dually, the numbers of
+  /// circles that are known to pass through them: four points of one circle have one power vertex, like four circles
+  /// through one point.
+  std::vector<int> contacts;
+  /// Of given disks, what is to be added to the centers, which are known to more digits than a double has; each less
+  /// than the last digit of its coordinate. Empty: nothing.
+  std::vector<Point_2> center_rests;
 
   std::size_t size() const { return centers.size(); }
   bool is_circumscribed() const { return samples != nullptr; }
-  /// Empty for disks that were given.
+  /// Empty when nothing is known.
   std::span<const int> contacts_of(int ball) const {
-    if (!samples) return {};
+    if (contact_offsets.empty()) return {};
     return std::span(contacts).subspan(contact_offsets[ball], contact_offsets[ball + 1] - contact_offsets[ball]);
   }
-  /// The least sample that lies on the circles of all these disks; -1 when there is none (known).
+  /// The least contact that all these disks have; -1 when there is none (known).
   int common_contact(std::span<const int> disks) const;
 };
 

@@ -16,6 +16,8 @@ class Double_double {
  public:
   Double_double() = default;
   explicit Double_double(double value) : high_(value) {}
+  /// The sum of the two, exactly.
+  Double_double(double high, double low) : high_(high + low), low_(low - (high_ - high)) {}
 
   friend Double_double operator+(const Double_double& a, const Double_double& b) {
     if (a.is_zero()) return b;
@@ -54,12 +56,25 @@ class Double_double {
                       (a.error_ + std::abs(first) * (1 + 1e-9) * b.error_) / size_b + relative_error * std::abs(first));
   }
 
+  /// Of a number that is not negative; of a negative one that of 0.
+  friend Double_double sqrt(const Double_double& a) {
+    if (!(a.high_ > 0)) return {};
+    const double root = std::sqrt(a.high_);
+    const Double_double rest = exact_part(a) - Double_double(root) * Double_double(root);
+    return normalized(root, rest.high_ / (2 * root), a.error_ / root + relative_error * root);
+  }
+
   CGAL::Uncertain<CGAL::Sign> sign() const {
     if (high_ > error_ * (1 + 1e-9)) return CGAL::POSITIVE;
     if (-high_ > error_ * (1 + 1e-9)) return CGAL::NEGATIVE;
     if (is_zero()) return CGAL::ZERO;
     return CGAL::Uncertain<CGAL::Sign>::indeterminate();
   }
+  /// The number, rounded, and what rounding took from it.
+  double high() const { return high_; }
+  double low() const { return low_; }
+  /// True when the error is at most this part of the number.
+  bool is_known_to(double part) const { return error_ <= part * std::abs(high_); }
   /// Bounds of the number. Requires that rounding is upwards.
   double upper_bound() const { return high_ + (low_ + error_); }
   double lower_bound() const { return -(-high_ + (-low_ + error_)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/regular_2/power_predicates.h"
 
+#include <array>
 #include <cmath>
 
 namespace mesecina {
@@ -54,6 +55,42 @@ Circle<Number> circumcircle(const Point_2& p, const Point_2& q, const Point_2& r
   return {px + cx, py + cy, square_of(cx) + square_of(cy)};
 }
 
+Double_double rounded(const CGAL::Exact_rational& number) {
+  const double high = CGAL::to_double(number);
+  return {high, CGAL::to_double(CGAL::Exact_rational(number - CGAL::Exact_rational(high)))};
+}
+
+/// Squared distance of the crossings of two circles from the line of the centers, and where their line cuts that: both
+/// relative to the distance of the centers, which are at (0, 0) and (x, y).
+template <class Number>
+struct Chord {
+  Number along;
+  Number squared_height;
+};
+template <class Number>
+Chord<Number> common_chord(const Number& x, const Number& y, const Number& wa, const Number& wb, double alpha) {
+  const Number d2 = square_of(x) + square_of(y);
+  const Number along = (d2 + wa - wb) / (Number(2) * d2);
+  const Number w = wa + Number(alpha);
+  return {along, w / d2 - square_of(along)};
+}
+
+/// From the first of three disks: the power vertex, and its squared distance.
+template <class Number, class Lifted>
+std::array<Number, 3> relative_power_vertex(const Lifted& p, const Lifted& q, const Lifted& r) {
+  const Number qx = q.x - p.x;
+  const Number qy = q.y - p.y;
+  const Number rx = r.x - p.x;
+  const Number ry = r.y - p.y;
+  const Number q2 = square_of(qx) + square_of(qy) - q.w + p.w;
+  const Number r2 = square_of(rx) + square_of(ry) - r.w + p.w;
+  const Number twice_cross = Number(2) * (qx * ry - qy * rx);
+  const Number x = (ry * q2 - qy * r2) / twice_cross;
+  const Number y = (qx * r2 - rx * q2) / twice_cross;
+  const Number squared_distance = square_of(x) + square_of(y);
+  return {x, y, squared_distance};
+}
+
 bool is_bounded(const Double_double& number) {
   return std::isfinite(number.lower_bound()) && std::isfinite(number.upper_bound());
 }
@@ -62,7 +99,8 @@ bool is_bounded(const Double_double& number) {
 
 Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_(cache_size) {
   intervals_.reserve(balls.size());
-  if (!balls.is_circumscribed()) {
+  const bool has_rests = !balls.center_rests.empty();
+  if (!balls.is_circumscribed() && !has_rests) {
     const Upward_rounding rounding;
     for (std::size_t b = 0; b < balls.size(); ++b)
       intervals_.push_back(
@@ -74,6 +112,12 @@ Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_
     return (*balls.samples)[balls.contacts_of(static_cast<int>(ball))[i]];
   };
   for (std::size_t b = 0; b < balls.size(); ++b) {
+    if (has_rests) {
+      precise_.push_back({Double_double(balls.centers[b].x, balls.center_rests[b].x),
+                          Double_double(balls.centers[b].y, balls.center_rests[b].y),
+                          square_of(Double_double(balls.radii[b]))});
+      continue;
+    }
     const auto circle = circumcircle<Double_double>(corner(b, 0), corner(b, 1), corner(b, 2));
     precise_.push_back({circle.x, circle.y, circle.squared_radius});
   }
@@ -92,15 +136,17 @@ Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_
 }
 
 Power_predicates::Lifted<Double_double> Power_predicates::precise(int ball) const {
-  if (balls_.is_circumscribed()) return precise_[ball];
+  if (!precise_.empty()) return precise_[ball];
   return {Double_double(balls_.centers[ball].x), Double_double(balls_.centers[ball].y),
           square_of(Double_double(balls_.radii[ball]))};
 }
 
 Power_predicates::Lifted<Power_predicates::Rational> Power_predicates::compute_exact(int ball) const {
-  if (!balls_.is_circumscribed())
-    return {Rational(balls_.centers[ball].x), Rational(balls_.centers[ball].y),
-            square_of(Rational(balls_.radii[ball]))};
+  if (!balls_.is_circumscribed()) {
+    const auto& [x, y] = balls_.centers[ball];
+    const Point_2 rest = balls_.center_rests.empty() ? Point_2{} : balls_.center_rests[ball];
+    return {Rational(x) + Rational(rest.x), Rational(y) + Rational(rest.y), square_of(Rational(balls_.radii[ball]))};
+  }
   const auto contacts = balls_.contacts_of(ball);
   const auto& samples = *balls_.samples;
   auto circle = circumcircle<Rational>(samples[contacts[0]], samples[contacts[1]], samples[contacts[2]]);
@@ -117,7 +163,11 @@ const Power_predicates::Lifted<Power_predicates::Rational>& Power_predicates::ex
 }
 
 bool Power_predicates::have_common_contact(std::initializer_list<int> disks) const {
-  return balls_.is_circumscribed() && balls_.common_contact({disks.begin(), disks.size()}) >= 0;
+  return balls_.common_contact({disks.begin(), disks.size()}) >= 0;
+}
+
+bool Power_predicates::touch_common_sample(std::initializer_list<int> disks) const {
+  return balls_.is_circumscribed() && have_common_contact(disks);
 }
 
 template <class Function, class... Disks>
@@ -128,6 +178,47 @@ CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) co
     if (const auto sign = function(precise(disks)...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
   }
   return function(Lifted<Rational>(exact(disks))...);
+}
+
+Power_predicates::Precise_point Power_predicates::crossing(int a, int b, double alpha, bool on_left) const {
+  const Nearest_rounding rounding(CGAL_FE_TONEAREST);
+  constexpr double part = 0x1p-80;
+  const Lifted<Double_double> p = precise(a);
+  const Lifted<Double_double> q = precise(b);
+  Double_double x = q.x - p.x;
+  Double_double y = q.y - p.y;
+  Chord<Double_double> chord = common_chord(x, y, p.w, q.w, alpha);
+  if (!chord.squared_height.is_known_to(part) || !chord.along.is_known_to(part)) {
+    const Lifted<Rational> exact_p = compute_exact(a);
+    const Lifted<Rational> exact_q = compute_exact(b);
+    const Rational exact_x = exact_q.x - exact_p.x;
+    const Rational exact_y = exact_q.y - exact_p.y;
+    const auto exact_chord = common_chord<Rational>(exact_x, exact_y, exact_p.w, exact_q.w, alpha);
+    x = rounded(exact_x);
+    y = rounded(exact_y);
+    chord = {rounded(exact_chord.along), rounded(exact_chord.squared_height)};
+  }
+  const Double_double height = sqrt(chord.squared_height);
+  const Double_double across = on_left ? height : -height;
+  const Double_double result_x = p.x + (chord.along * x - across * y);
+  const Double_double result_y = p.y + (chord.along * y + across * x);
+  return {{result_x.high(), result_y.high()}, {result_x.low(), result_y.low()}};
+}
+
+Power_predicates::Power_vertex Power_predicates::power_vertex(int a, int b, int c) const {
+  const Nearest_rounding rounding(CGAL_FE_TONEAREST);
+  constexpr double part = 0x1p-50;
+  const Lifted<Double_double> p = precise(a);
+  auto [x, y, d2] = relative_power_vertex<Double_double>(p, precise(b), precise(c));
+  Double_double power = d2 - p.w;
+  if (!d2.is_known_to(part)) {
+    const Lifted<Rational> exact_p = compute_exact(a);
+    const auto exact_vertex = relative_power_vertex<Rational>(exact_p, compute_exact(b), compute_exact(c));
+    x = rounded(exact_vertex[0]);
+    y = rounded(exact_vertex[1]);
+    power = rounded(Rational(exact_vertex[2] - exact_p.w));
+  }
+  return {{(p.x + x).high(), (p.y + y).high()}, power.high()};
 }
 
 CGAL::Comparison_result Power_predicates::compare_x(int a, int b) const {
@@ -186,7 +277,7 @@ CGAL::Oriented_side Power_predicates::power_side(int a, int b, int c, int d) con
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int d) const {
-  if (have_common_contact({a, b, d})) return CGAL::ON_ORIENTED_BOUNDARY;
+  if (touch_common_sample({a, b, d})) return CGAL::ON_ORIENTED_BOUNDARY;
   return -conflict_sign(a, b, d);
 }
 
@@ -236,7 +327,7 @@ CGAL::Sign Power_predicates::size_sign(int a, int b, double alpha) const {
 }
 
 CGAL::Sign Power_predicates::size_sign(int a, int b, int c, double alpha) const {
-  if (have_common_contact({a, b, c})) return CGAL::sign(-alpha);
+  if (touch_common_sample({a, b, c})) return CGAL::sign(-alpha);
   return decide(
       [alpha](const auto& p, const auto& q, const auto& r) {
         using Number = std::decay_t<decltype(p.x)>;

@@ -17,13 +17,29 @@ namespace mesecina {
 /// rationals the rest; that circles of circumscribed disks meet in a common sample is never computed. The weight of a
 /// disk is its squared radius.
 ///
-/// Not thread-safe. All members but the constructor require that rounding is upwards, see `Upward_rounding`.
+/// Not thread-safe. Decisions require that rounding is upwards, see `Upward_rounding`.
 class Power_predicates {
  public:
   using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
 
   /// The disks must outlive this.
   explicit Power_predicates(const Balls_2& balls);
+
+  /// Where the circles of squared radii r^2 + alpha of two disks meet, on one side of a -> b, to about twice the digits
+  /// of a double; where they nearly touch, that holds relative to their distance from the line of the centers. The
+  /// nearest point of that line if they do not meet. The centers must differ. For any rounding.
+  struct Precise_point {
+    Point_2 point;
+    Point_2 rest;
+  };
+  Precise_point crossing(int a, int b, double alpha, bool on_left) const;
+  /// The point of equal power distance to three disks whose centers are not on a line, and that power distance; rounded
+  /// from numbers of 100 bits, or rationals where these are too few. For any rounding.
+  struct Power_vertex {
+    Point_2 point;
+    double power = 0;
+  };
+  Power_vertex power_vertex(int a, int b, int c) const;
 
   CGAL::Comparison_result compare_x(int a, int b) const;
   CGAL::Comparison_result compare_y(int a, int b) const;
@@ -68,6 +84,7 @@ class Power_predicates {
   const Lifted<Rational>& exact(int ball) const;
   Lifted<Rational> compute_exact(int ball) const;
   bool have_common_contact(std::initializer_list<int> disks) const;
+  bool touch_common_sample(std::initializer_list<int> disks) const;
   Lifted<Double_double> precise(int ball) const;
   /// The sign that `function` gives, with the disks in the least precision that is certain.
   template <class Function, class... Disks>

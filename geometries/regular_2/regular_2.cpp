@@ -103,6 +103,25 @@ class Ball_traits {
 struct Array_index {
   int value = -1;
 };
+
+}  // namespace
+
+}  // namespace mesecina
+
+namespace CGAL {
+
+/// Walks on rounded centers first, and ends them with exact decisions.
+template <>
+struct Triangulation_structural_filtering_traits<mesecina::Ball_traits> {
+  using Use_structural_filtering_tag = Tag_true;
+};
+
+}  // namespace CGAL
+
+namespace mesecina {
+
+namespace {
+
 using Vertex_base = CGAL::Regular_triangulation_vertex_base_2<Ball_traits>;
 using Face_base = CGAL::Triangulation_face_base_with_info_2<Array_index, Ball_traits,
                                                             CGAL::Regular_triangulation_face_base_2<Ball_traits>>;
@@ -315,8 +334,9 @@ Regular_2 regular_triangulation(std::shared_ptr<const Balls_2> balls, Progress& 
     }
     Triangulation triangulation = triangulate(order, predicates, progress);
     fill_arrays(regular, triangulation, progress);
-    // Every circumscribed disk keeps the triangles that it is circumscribed to in its cell.
-    if (regular.balls->is_circumscribed()) return regular;
+    // Every circumscribed disk keeps the triangles that it is circumscribed to in its cell; every point is in its own.
+    const auto is_point = [](double radius) { return radius == 0; };
+    if (regular.balls->is_circumscribed() || std::ranges::all_of(regular.balls->radii, is_point)) return regular;
     const std::vector<int> flat = flat_vertices(regular, predicates, progress);
     if (flat.empty()) return regular;
     for (const int ball : flat) is_left_out[ball] = 1;
@@ -329,53 +349,53 @@ Power_vertices_2 power_vertices(const Regular_2& triangulation, Progress& progre
   result.vertices.resize(count);
   result.powers.resize(count);
   const Balls_2& balls = *triangulation.balls;
+  std::vector<std::uint8_t> is_doubtful(count, 0);
+  // From the least disk on, so that rounding does not depend on the order of the corners.
+  const auto from_least = [](const std::array<int, 3>& corners) {
+    const auto least = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
+    return std::array{corners[least], corners[(least + 1) % 3], corners[(least + 2) % 3]};
+  };
+  const auto offset = [&balls](int from, int to) {
+    const Point_2& p = balls.centers[from];
+    const Point_2& q = balls.centers[to];
+    if (balls.center_rests.empty()) return Point_2{q.x - p.x, q.y - p.y};
+    const Point_2& rest_p = balls.center_rests[from];
+    const Point_2& rest_q = balls.center_rests[to];
+    return Point_2{(q.x - p.x) + (rest_q.x - rest_p.x), (q.y - p.y) + (rest_q.y - rest_p.y)};
+  };
   parallel_for(count, progress, [&](std::size_t t) {
-    // From the least disk on, so that rounding does not depend on the order of the corners.
-    const auto& corners = triangulation.triangles[t];
-    if (const int sample = balls.common_contact(corners); sample >= 0) {
-      result.vertices[t] = (*balls.samples)[sample];
-      result.powers[t] = 0;
+    const std::array<int, 3> corners = from_least(triangulation.triangles[t]);
+    if (balls.is_circumscribed()) {
+      const int sample = balls.common_contact(corners);
+      is_doubtful[t] = sample < 0;
+      if (sample >= 0) result.vertices[t] = (*balls.samples)[sample];
       return;
     }
-    const auto least = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
-    const int a = corners[least];
-    const int b = corners[(least + 1) % 3];
-    const int c = corners[(least + 2) % 3];
-    const Point_2& p = balls.centers[a];
-    const double bx = balls.centers[b].x - p.x;
-    const double by = balls.centers[b].y - p.y;
-    const double cx = balls.centers[c].x - p.x;
-    const double cy = balls.centers[c].y - p.y;
+    const auto [a, b, c] = corners;
+    const auto [bx, by] = offset(a, b);
+    const auto [cx, cy] = offset(a, c);
     const double ra = balls.radii[a];
     const auto lift = [ra](double x, double y, double r) { return x * x + y * y - (r - ra) * (r + ra); };
     const double b2 = lift(bx, by, balls.radii[b]);
     const double c2 = lift(cx, cy, balls.radii[c]);
     const double twice_cross = 2 * (bx * cy - by * cx);
-    constexpr double smallest_trusted_part = 1e-10;
-    double zx = (cy * b2 - by * c2) / twice_cross;
-    double zy = (bx * c2 - cx * b2) / twice_cross;
-    if (!(std::abs(twice_cross) > smallest_trusted_part * (std::abs(bx * cy) + std::abs(by * cx)))) {
-      using Rational = CGAL::Exact_rational;
-      const Rational ax(p.x);
-      const Rational ay(p.y);
-      const Rational ebx = Rational(balls.centers[b].x) - ax;
-      const Rational eby = Rational(balls.centers[b].y) - ay;
-      const Rational ecx = Rational(balls.centers[c].x) - ax;
-      const Rational ecy = Rational(balls.centers[c].y) - ay;
-      const Rational era(ra);
-      const Rational erb(balls.radii[b]);
-      const Rational erc(balls.radii[c]);
-      const Rational eb2 = ebx * ebx + eby * eby - erb * erb + era * era;
-      const Rational ec2 = ecx * ecx + ecy * ecy - erc * erc + era * era;
-      const Rational cross = 2 * (ebx * ecy - eby * ecx);
-      if (cross != 0) {
-        zx = CGAL::to_double((ecy * eb2 - eby * ec2) / cross);
-        zy = CGAL::to_double((ebx * ec2 - ecx * eb2) / cross);
-      }
-    }
-    result.vertices[t] = {p.x + zx, p.y + zy};
+    const double zx = (cy * b2 - by * c2) / twice_cross;
+    const double zy = (bx * c2 - cx * b2) / twice_cross;
+    constexpr double smallest_trusted_part = 1e-8;
+    is_doubtful[t] = !(std::abs(twice_cross) > smallest_trusted_part * (std::abs(bx * cy) + std::abs(by * cx)));
+    result.vertices[t] = {balls.centers[a].x + zx, balls.centers[a].y + zy};
     result.powers[t] = zx * zx + zy * zy - ra * ra;
   });
+  if (std::ranges::find(is_doubtful, 1) == is_doubtful.end()) return result;
+  const Power_predicates predicates(balls);
+  for (std::size_t t = 0; t < count; ++t) {
+    if (t % 4096 == 0) progress.check();
+    if (is_doubtful[t] == 0) continue;
+    const auto [a, b, c] = from_least(triangulation.triangles[t]);
+    const auto [point, power] = predicates.power_vertex(a, b, c);
+    result.vertices[t] = point;
+    result.powers[t] = power;
+  }
   return result;
 }
 

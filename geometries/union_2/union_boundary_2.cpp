@@ -42,6 +42,7 @@ class Boundary_builder {
     }
     order_arcs();
     place_vertices();
+    if (!boundary_.vertex_rests.empty()) join_vertices_of_short_arcs();
   }
 
  private:
@@ -296,43 +297,52 @@ class Boundary_builder {
   }
 
   void place_vertices() {
-    boundary_.vertices.reserve(origins_.size());
+    boundary_.vertices.resize(origins_.size());
+    if (std::ranges::find(boundary_.samples, -1) != boundary_.samples.end())
+      boundary_.vertex_rests.resize(origins_.size());
     for (std::size_t v = 0; v < origins_.size(); ++v) {
       if (v % 4096 == 0) progress_.check();
-      boundary_.vertices.push_back(boundary_.samples[v] >= 0 ? (*balls_.samples)[boundary_.samples[v]]
-                                                             : intersection(origins_[v].edge, origins_[v].on_left));
+      if (boundary_.samples[v] >= 0) {
+        boundary_.vertices[v] = (*balls_.samples)[boundary_.samples[v]];
+        continue;
+      }
+      const Dual_edge& edge = dual_.edges[origins_[v].edge];
+      const auto [point, rest] = predicates_.crossing(edge.a, edge.b, dual_.alpha, origins_[v].on_left);
+      boundary_.vertices[v] = point;
+      boundary_.vertex_rests[v] = rest;
     }
   }
 
-  Point_2 intersection(int e, bool on_left) const {
-    const Dual_edge& edge = dual_.edges[e];
-    const Point_2& p = balls_.centers[edge.a];
-    const Point_2& q = balls_.centers[edge.b];
-    const long double x = static_cast<long double>(q.x) - p.x;
-    const long double y = static_cast<long double>(q.y) - p.y;
-    const long double ra = balls_.radii[edge.a];
-    const long double rb = balls_.radii[edge.b];
-    const long double wa = ra * ra + dual_.alpha;
-    const long double d2 = x * x + y * y;
-    const long double s = d2 + (ra - rb) * (ra + rb);
-    const long double along = s / (2 * d2);
-    long double height2 = (wa - along * along * d2) / d2;
-    constexpr long double smallest_trusted_part = 1e-6L;
-    if (!(height2 > smallest_trusted_part * (wa / d2))) height2 = exact_height2(edge);
-    const long double across = std::sqrt(std::max(height2, 0.0L)) * (on_left ? 1 : -1);
-    return {static_cast<double>(p.x + along * x - across * y), static_cast<double>(p.y + along * y + across * x)};
-  }
-
-  /// Squared distance of the crossings from the line of the centers, over the squared distance of these.
-  long double exact_height2(const Dual_edge& edge) const {
-    using Rational = CGAL::Exact_rational;
-    const Rational x = Rational(balls_.centers[edge.b].x) - Rational(balls_.centers[edge.a].x);
-    const Rational y = Rational(balls_.centers[edge.b].y) - Rational(balls_.centers[edge.a].y);
-    const Rational wa = CGAL::square(Rational(balls_.radii[edge.a]));
-    const Rational wb = CGAL::square(Rational(balls_.radii[edge.b]));
-    const Rational d2 = x * x + y * y;
-    const Rational s = d2 + wa - wb;
-    return CGAL::to_double((4 * d2 * (wa + Rational(dual_.alpha)) - s * s) / (4 * d2 * d2));
+  /// Gives the ends of an arc one position where their positions are not known well enough to tell them apart: in any
+  /// other order than theirs, arcs would cross.
+  void join_vertices_of_short_arcs() {
+    constexpr double known_part = 0x1p-84;
+    std::vector<int> place(boundary_.vertices.size());
+    std::iota(place.begin(), place.end(), 0);
+    const auto root = [&](int v) {
+      while (place[v] != v) v = place[v] = place[place[v]];
+      return v;
+    };
+    for (const Boundary_arc& arc : boundary_.arcs) {
+      if (arc.from < 0 || arc.from == arc.to) continue;
+      const Point_2& p = boundary_.vertices[arc.from];
+      const Point_2& q = boundary_.vertices[arc.to];
+      const double size = std::max(std::abs(p.x), std::abs(p.y)) + boundary_.radii[arc.ball];
+      if (std::max(std::abs(p.x - q.x), std::abs(p.y - q.y)) > size * 0x1p-40) continue;
+      const Point_2& rest_p = boundary_.vertex_rests[arc.from];
+      const Point_2& rest_q = boundary_.vertex_rests[arc.to];
+      const double x = (p.x - q.x) + (rest_p.x - rest_q.x);
+      const double y = (p.y - q.y) + (rest_p.y - rest_q.y);
+      if (std::max(std::abs(x), std::abs(y)) > size * known_part) continue;
+      const int r = root(arc.from);
+      const int s = root(arc.to);
+      place[std::max(r, s)] = std::min(r, s);
+    }
+    for (int v = 0; v < static_cast<int>(place.size()); ++v) {
+      const int of = root(v);
+      boundary_.vertices[v] = boundary_.vertices[of];
+      boundary_.vertex_rests[v] = boundary_.vertex_rests[of];
+    }
   }
 
   struct Origin {

@@ -24,6 +24,9 @@ struct Union_boundary_2 {
   std::shared_ptr<const Dual_2> dual;
   std::vector<double> radii;  ///< per disk: sqrt(r^2 + alpha), 0 where that is negative
   std::vector<Point_2> vertices;
+  /// Per vertex what is to be added to it: vertices are known to about twice the digits of a double, as some are much
+  /// nearer to each other than to the origin. Empty: nothing, all are samples.
+  std::vector<Point_2> vertex_rests;
   std::vector<int> samples;         ///< per vertex the sample that it is; -1 where none (known)
   std::vector<int> source_offsets;  ///< vertices.size() + 1 offsets into `sources`
   std::vector<int> sources;         ///< per vertex the disks, not hidden, whose circles pass through it, ascending

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 
 namespace mesecina {
 
@@ -114,33 +116,35 @@ void label_triangles(Union_voronoi_2& voronoi, const Pairs& pairs, const Progres
   }
 }
 
-/// Per site the disks whose circles pass through one of its vertices.
+/// Per vertex the disks whose circles pass through it, or through another vertex with the same site.
 struct Sources_of_sites {
   std::vector<int> offsets;
   std::vector<int> disks;
-  explicit Sources_of_sites(const Union_voronoi_2& voronoi) {
-    const Union_boundary_2& boundary = *voronoi.boundary;
-    const auto& site = voronoi.delaunay.site;
-    if (voronoi.delaunay.site_count == site.size()) {
+  Sources_of_sites(const Union_boundary_2& boundary, const std::vector<int>& site) {
+    const auto count = static_cast<int>(site.size());
+    bool has_joined = false;
+    for (int v = 0; v < count; ++v) has_joined = has_joined || site[v] != v;
+    if (!has_joined) {
       offsets = boundary.source_offsets;
       disks = boundary.sources;
       return;
     }
     std::vector<std::vector<int>> lists(site.size());
-    for (int v = 0; v < static_cast<int>(site.size()); ++v) {
+    for (int v = 0; v < count; ++v) {
       const auto own = boundary.sources_of(v);
       lists[site[v]].insert(lists[site[v]].end(), own.begin(), own.end());
     }
     offsets.push_back(0);
-    for (auto& list : lists) {
+    for (int v = 0; v < count; ++v) {
+      auto& list = lists[site[v]];
       std::ranges::sort(list);
       list.erase(std::unique(list.begin(), list.end()), list.end());
       disks.insert(disks.end(), list.begin(), list.end());
       offsets.push_back(static_cast<int>(disks.size()));
     }
   }
-  std::span<const int> of(int site) const {
-    return std::span(disks).subspan(offsets[site], offsets[site + 1] - offsets[site]);
+  std::span<const int> of(int vertex) const {
+    return std::span(disks).subspan(offsets[vertex], offsets[vertex + 1] - offsets[vertex]);
   }
 };
 
@@ -296,16 +300,66 @@ class Axis_builder {
 
 }  // namespace
 
+namespace {
+
+/// Per vertex the least one with the same position, to its last digit.
+std::vector<int> sites_of(const Union_boundary_2& boundary) {
+  const auto digits = [&](int v) {
+    const Point_2& p = boundary.vertices[v];
+    const Point_2& rest = boundary.vertex_rests[v];
+    return std::tuple(p.x, p.y, rest.x, rest.y);
+  };
+  std::vector<int> order(boundary.vertices.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, [&](int v, int w) { return std::tuple(digits(v), v) < std::tuple(digits(w), w); });
+  std::vector<int> site(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    site[order[i]] = i > 0 && digits(order[i]) == digits(order[i - 1]) ? site[order[i - 1]] : order[i];
+  return site;
+}
+
+/// Delaunay triangulation and Voronoi vertices of the vertices of a union, known to more digits than doubles have: as
+/// the regular triangulation of points. That vertices lie on the circle of one disk is known, not computed.
+void triangulate_precisely(Union_voronoi_2& result, Progress& progress) {
+  const Union_boundary_2& boundary = *result.boundary;
+  Delaunay_2& delaunay = result.delaunay;
+  delaunay.points = boundary.vertices;
+  delaunay.site = sites_of(boundary);
+  Sources_of_sites sources(boundary, delaunay.site);
+  auto points = std::make_shared<Balls_2>();
+  points->centers = boundary.vertices;
+  points->center_rests = boundary.vertex_rests;
+  points->radii.assign(boundary.vertices.size(), 0);
+  points->contact_offsets = std::move(sources.offsets);
+  points->contacts = std::move(sources.disks);
+  Regular_2 regular = regular_triangulation(points, progress);
+  Power_vertices_2 power = power_vertices(regular, progress);
+  result.vertices = std::move(power.vertices);
+  result.radii.reserve(power.powers.size());
+  for (const double squared_radius : power.powers) result.radii.push_back(std::sqrt(std::max(0.0, squared_radius)));
+  delaunay.site_count = regular.vertex_count;
+  delaunay.dimension = regular.dimension;
+  delaunay.triangles = std::move(regular.triangles);
+  delaunay.neighbors = std::move(regular.neighbors);
+  delaunay.line = std::move(regular.line);
+}
+
+}  // namespace
+
 Union_voronoi_2 union_voronoi(std::shared_ptr<const Union_boundary_2> boundary, Progress& progress) {
   Union_voronoi_2 result;
   result.boundary = std::move(boundary);
   const Union_boundary_2& of = *result.boundary;
-  result.delaunay = delaunay(of.vertices, progress);
+  if (of.vertex_rests.empty()) {
+    result.delaunay = delaunay(of.vertices, progress);
+    Voronoi_2 voronoi = mesecina::voronoi(result.delaunay, progress);
+    result.vertices = std::move(voronoi.vertices);
+    result.radii = std::move(voronoi.radii);
+  } else {
+    triangulate_precisely(result, progress);
+  }
   label_triangles(result, Pairs(result), progress);
-  Voronoi_2 voronoi = mesecina::voronoi(result.delaunay, progress);
-  result.vertices = std::move(voronoi.vertices);
-  result.radii = std::move(voronoi.radii);
-  const Sources_of_sites sources(result);
+  const Sources_of_sites sources(of, result.delaunay.site);
   result.ball_of_triangle.resize(result.delaunay.triangles.size());
   for (std::size_t t = 0; t < result.ball_of_triangle.size(); ++t) {
     if (t % 8192 == 0) progress.check();
