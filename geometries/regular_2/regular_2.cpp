@@ -6,9 +6,10 @@
 #include <CGAL/Regular_triangulation_face_base_2.h>
 #include <CGAL/Regular_triangulation_vertex_base_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/spatial_sort.h>
+#include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -128,7 +129,7 @@ using Face_base = CGAL::Triangulation_face_base_with_info_2<Array_index, Ball_tr
 using Triangulation =
     CGAL::Regular_triangulation_2<Ball_traits, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>>;
 
-/// For CGAL::spatial_sort, which has no other place to ask whether to stop.
+/// For CGAL::hilbert_sort, which has no other place to ask whether to stop.
 struct Sort_traits {
   using Point_2 = Site;
   struct Less_x_2 {
@@ -150,30 +151,87 @@ struct Sort_traits {
   Less_y_2 less_y_2_object() const { return {progress}; }
 };
 
-/// The disks that take part, in space-filling order behind three whose centers are not on a line; none if there are no
-/// such three.
-std::vector<Site> insertion_order(const Balls_2& balls, const std::vector<std::uint8_t>& is_left_out,
-                                  const Power_predicates& predicates, const Progress& progress) {
-  std::vector<Site> order;
-  order.reserve(balls.size());
+/// The order in which disks are inserted, and per place in it the place of an earlier disk that is near; -1 where there
+/// is none.
+struct Insertion_order {
+  std::vector<Site> sites;
+  std::vector<int> near;
+};
+
+/// Rounds of random disks, each four times as large as the one before, along a Hilbert curve in each: random enough for
+/// the expected number of changes, and with near disks near in memory. The number of a disk decides its round.
+/// [N. Amenta, S. Choi, G. Rote: Incremental constructions con BRIO, 2003]
+std::vector<int> rounds_of(const std::vector<Site>& sites) {
+  constexpr int last_round = 14;
+  std::vector<int> rounds;
+  rounds.reserve(sites.size());
+  for (const Site& site : sites) {
+    auto random = (static_cast<std::uint64_t>(site.ball) + 1) * 0x9e3779b97f4a7c15U;
+    random = (random ^ (random >> 30)) * 0xbf58476d1ce4e5b9U;
+    random = (random ^ (random >> 27)) * 0x94d049bb133111ebU;
+    random ^= random >> 31;
+    rounds.push_back(std::max(0, last_round - std::countr_zero(random | (std::uint64_t{1} << 60)) / 2));
+  }
+  return rounds;
+}
+
+/// The disks that take part, behind three whose centers are not on a line; none if there are no such three.
+Insertion_order insertion_order(const Balls_2& balls, const std::vector<std::uint8_t>& is_left_out,
+                                const Power_predicates& predicates, const Progress& progress) {
+  std::vector<Site> curve;
+  curve.reserve(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b)
-    if (is_left_out[b] == 0) order.push_back({static_cast<int>(b), balls.centers[b].x, balls.centers[b].y});
+    if (is_left_out[b] == 0) curve.push_back({static_cast<int>(b), balls.centers[b].x, balls.centers[b].y});
   const auto are_at_one_place = [&](const Site& p, const Site& q) {
     return predicates.compare_x(p.ball, q.ball) == CGAL::EQUAL && predicates.compare_y(p.ball, q.ball) == CGAL::EQUAL;
   };
   std::size_t second = 1;
-  while (second < order.size() && are_at_one_place(order[0], order[second])) ++second;
+  while (second < curve.size() && are_at_one_place(curve[0], curve[second])) ++second;
   std::size_t third = second + 1;
-  while (third < order.size() &&
-         predicates.orientation(order[0].ball, order[second].ball, order[third].ball) == CGAL::COLLINEAR) {
+  while (third < curve.size() &&
+         predicates.orientation(curve[0].ball, curve[second].ball, curve[third].ball) == CGAL::COLLINEAR) {
     progress.check();
     ++third;
   }
-  if (third >= order.size()) return {};
-  std::swap(order[1], order[second]);
-  std::swap(order[2], order[third]);
-  CGAL::spatial_sort(order.begin() + 3, order.end(), Sort_traits{&progress});
-  return order;
+  if (third >= curve.size()) return {};
+  const std::array first{curve[0].ball, curve[second].ball, curve[third].ball};
+
+  CGAL::hilbert_sort(curve.begin(), curve.end(), Sort_traits{&progress});
+  const int count = static_cast<int>(curve.size());
+  std::vector<int> rounds = rounds_of(curve);
+  for (int i = 0; i < count; ++i)
+    if (const auto place = std::ranges::find(first, curve[i].ball); place != first.end())
+      rounds[i] = static_cast<int>(place - first.begin()) - static_cast<int>(first.size());
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&rounds](int i) { return rounds[i]; });
+
+  // Taking disks away from the last to the first, each is between two earlier ones on the curve.
+  std::vector<int> place(count);
+  for (int i = 0; i < count; ++i) place[order[i]] = i;
+  std::vector<int> previous(count);
+  std::vector<int> next(count);
+  for (int i = 0; i < count; ++i) {
+    previous[i] = i - 1;
+    next[i] = i + 1 < count ? i + 1 : -1;
+  }
+  Insertion_order result;
+  result.near.assign(count, -1);
+  for (int i = count - 1; i > 0; --i) {
+    const int at = order[i];
+    const int p = previous[at];
+    const int q = next[at];
+    const auto squared_distance_to = [&](int other) {
+      return squared_distance({curve[at].approximate_x, curve[at].approximate_y},
+                              {curve[other].approximate_x, curve[other].approximate_y});
+    };
+    result.near[i] = place[p < 0 ? q : q < 0 ? p : squared_distance_to(p) <= squared_distance_to(q) ? p : q];
+    if (p >= 0) next[p] = q;
+    if (q >= 0) previous[q] = p;
+  }
+  result.sites.reserve(count);
+  for (const int i : order) result.sites.push_back(curve[i]);
+  return result;
 }
 
 /// All centers on a line: the lower envelope of the power distances along it.
@@ -204,33 +262,47 @@ void connect_along_line(Regular_2& regular, const Power_predicates& predicates, 
   regular.dimension = std::min(1, static_cast<int>(line.size()) - 1);
 }
 
-Triangulation triangulate(const std::vector<Site>& order, const Power_predicates& predicates, Progress& progress) {
+Triangulation triangulate(const Insertion_order& order, const Power_predicates& predicates, Progress& progress) {
   Triangulation triangulation{Ball_traits(predicates)};
-  Triangulation::Face_handle hint;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i % 4096 == 0) progress.report(0.9 * static_cast<double>(i) / static_cast<double>(order.size()));
+  // Per place in the order a vertex near it: its own, or where it is hidden one of the face that hides it. The face of
+  // a vertex that others hid since is the one that hides it.
+  std::vector<Triangulation::Vertex_handle> vertices;
+  vertices.reserve(order.sites.size());
+  for (std::size_t i = 0; i < order.sites.size(); ++i) {
+    const Site& site = order.sites[i];
+    if (i % 4096 == 0) progress.report(0.9 * static_cast<double>(i) / static_cast<double>(order.sites.size()));
+    Triangulation::Face_handle hint;
+    if (order.near[i] >= 0) hint = vertices[order.near[i]]->face();
     Triangulation::Locate_type type{};
     int place = 0;
-    const auto face = triangulation.locate(order[i], type, place, hint);
+    const auto face = triangulation.locate(site, type, place, hint);
     // CGAL would keep hidden disks in lists and hand them on at each flip.
     if (type == Triangulation::FACE && triangulation.dimension() == 2 &&
-        triangulation.power_test(face, order[i], true) == CGAL::ON_NEGATIVE_SIDE) {
-      hint = face;
+        triangulation.power_test(face, site, true) == CGAL::ON_NEGATIVE_SIDE) {
+      vertices.push_back(face->vertex(0));
       continue;
     }
-    const auto vertex = triangulation.insert(order[i], type, face, place);
-    if (type == Triangulation::VERTEX && order[i].ball < vertex->point().ball &&
-        predicates.power_side(vertex->point().ball, order[i].ball) == CGAL::ON_ORIENTED_BOUNDARY)
-      vertex->point().ball = order[i].ball;
-    hint = vertex->is_hidden() ? face : vertex->face();
+    const auto vertex = triangulation.insert(site, type, face, place);
+    if (type == Triangulation::VERTEX && site.ball < vertex->point().ball &&
+        predicates.power_side(vertex->point().ball, site.ball) == CGAL::ON_ORIENTED_BOUNDARY)
+      vertex->point().ball = site.ball;
+    vertices.push_back(vertex);
   }
   return triangulation;
 }
 
+/// Triangles are numbered by their least disk, so that those of near disks are near in memory if the disks are.
 void fill_arrays(Regular_2& regular, Triangulation& triangulation, const Progress& progress) {
-  int count = 0;
+  const auto least_ball = [](const auto& face) {
+    return std::min({face->vertex(0)->point().ball, face->vertex(1)->point().ball, face->vertex(2)->point().ball});
+  };
+  std::vector<int> next(regular.balls->size() + 1, 0);
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
+    ++next[least_ball(face) + 1];
+  for (std::size_t b = 1; b < next.size(); ++b) next[b] += next[b - 1];
+  const int count = next.back();
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
-    face->info().value = triangulation.is_infinite(face) ? -1 : count++;
+    face->info().value = triangulation.is_infinite(face) ? -1 : next[least_ball(face)]++;
   progress.check();
   regular.triangles.resize(count);
   regular.neighbors.resize(count);
@@ -327,8 +399,8 @@ Regular_2 regular_triangulation(std::shared_ptr<const Balls_2> balls, Progress& 
   const Power_predicates::Upward_rounding rounding;
   std::vector<std::uint8_t> is_left_out(regular.balls->size(), 0);
   while (true) {
-    const std::vector<Site> order = insertion_order(*regular.balls, is_left_out, predicates, progress);
-    if (order.empty()) {
+    const Insertion_order order = insertion_order(*regular.balls, is_left_out, predicates, progress);
+    if (order.sites.empty()) {
       connect_along_line(regular, predicates, progress);
       return regular;
     }

@@ -149,31 +149,42 @@ class Boundary_builder {
   }
 
   void find_sources() {
-    std::vector<std::vector<int>> sources(origins_.size());
-    for (std::size_t v = 0; v < origins_.size(); ++v) {
+    // Pairs of a vertex and a disk, sorted by vertex; some twice.
+    std::vector<std::array<int, 2>> pairs;
+    pairs.reserve(4 * origins_.size());
+    for (int v = 0; v < static_cast<int>(origins_.size()); ++v) {
+      if (boundary_.samples[v] >= 0 || origins_[v].flat_class >= 0) continue;
       const Dual_edge& edge = dual_.edges[origins_[v].edge];
-      if (boundary_.samples[v] < 0 && origins_[v].flat_class < 0) sources[v] = {edge.a, edge.b};
+      pairs.push_back({v, edge.a});
+      pairs.push_back({v, edge.b});
     }
     if (!vertex_of_class_.empty()) {
       for (std::size_t t = 0; t < regular_.triangles.size(); ++t) {
         if (dual_.is_flat[t] == 0) continue;
         const auto place = vertex_of_class_.find(root(static_cast<int>(t)));
         if (place == vertex_of_class_.end()) continue;
-        auto& own = sources[place->second];
-        own.insert(own.end(), regular_.triangles[t].begin(), regular_.triangles[t].end());
+        for (const int ball : regular_.triangles[t]) pairs.push_back({place->second, ball});
       }
     }
     if (!vertex_of_sample_.empty()) {
-      for (int b = 0; b < static_cast<int>(balls_.size()); ++b) {
+      for (int b = 0; b < static_cast<int>(balls_.size()); ++b)
         for (const int sample : balls_.contacts_of(b))
-          if (const int vertex = vertex_of_sample_[sample]; vertex >= 0) sources[vertex].push_back(b);
-      }
+          if (const int vertex = vertex_of_sample_[sample]; vertex >= 0) pairs.push_back({vertex, b});
     }
+    progress_.check();
+    std::vector<int> offsets(origins_.size() + 1, 0);
+    for (const auto& [vertex, ball] : pairs) ++offsets[vertex + 1];
+    for (std::size_t v = 1; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
+    std::vector<int> disks(pairs.size());
+    std::vector<int> next(offsets.begin(), offsets.end() - 1);
+    for (const auto& [vertex, ball] : pairs) disks[next[vertex]++] = ball;
+    boundary_.source_offsets.reserve(offsets.size());
     boundary_.source_offsets.push_back(0);
-    for (auto& own : sources) {
-      std::ranges::sort(own);
-      own.erase(std::unique(own.begin(), own.end()), own.end());
-      boundary_.sources.insert(boundary_.sources.end(), own.begin(), own.end());
+    for (std::size_t v = 0; v + 1 < offsets.size(); ++v) {
+      const auto first = disks.begin() + offsets[v];
+      const auto last = disks.begin() + offsets[v + 1];
+      std::sort(first, last);
+      boundary_.sources.insert(boundary_.sources.end(), first, std::unique(first, last));
       boundary_.source_offsets.push_back(static_cast<int>(boundary_.sources.size()));
     }
   }
