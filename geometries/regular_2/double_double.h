@@ -19,6 +19,11 @@ class Double_double {
   /// The sum of the two, exactly.
   Double_double(double high, double low) : high_(high + low), low_(low - (high_ - high)) {}
 
+  /// The sum of the two, known to the last digit of `low`.
+  static Double_double about(double high, double low) {
+    return normalized(high, low, relative_error * std::abs(high) + 0x1p-52 * std::abs(low));
+  }
+
   friend Double_double operator+(const Double_double& a, const Double_double& b) {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
@@ -75,9 +80,10 @@ class Double_double {
   double low() const { return low_; }
   /// True when the error is at most this part of the number.
   bool is_known_to(double part) const { return error_ <= part * std::abs(high_); }
-  /// Bounds of the number. Requires that rounding is upwards.
-  double upper_bound() const { return high_ + (low_ + error_); }
-  double lower_bound() const { return -(-high_ + (-low_ + error_)); }
+  /// Bounds of what `high` lacks. Require that rounding is upwards.
+  double low_upper_bound() const { return low_ + error_; }
+  double low_lower_bound() const { return -(-low_ + error_); }
+  bool is_known() const { return std::isfinite(high_) && std::isfinite(error_); }
 
  private:
   bool is_zero() const { return high_ == 0 && error_ == 0; }

@@ -55,9 +55,11 @@ Circle<Number> circumcircle(const Point_2& p, const Point_2& q, const Point_2& r
   return {px + cx, py + cy, square_of(cx) + square_of(cy)};
 }
 
-Double_double rounded(const CGAL::Exact_rational& number) {
+/// To the last of the digits that a Double_double holds, with an error that covers the rest.
+Double_double nearest(const CGAL::Exact_rational& number) {
   const double high = CGAL::to_double(number);
-  return {high, CGAL::to_double(CGAL::Exact_rational(number - CGAL::Exact_rational(high)))};
+  const double low = CGAL::to_double(CGAL::Exact_rational(number - CGAL::Exact_rational(high)));
+  return Double_double::about(high, low);
 }
 
 /// Squared distance of the crossings of two circles from the line of the centers, and where their line cuts that: both
@@ -91,54 +93,31 @@ std::array<Number, 3> relative_power_vertex(const Lifted& p, const Lifted& q, co
   return {x, y, squared_distance};
 }
 
-bool is_bounded(const Double_double& number) {
-  return std::isfinite(number.lower_bound()) && std::isfinite(number.upper_bound());
-}
-
 }  // namespace
 
 Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_(cache_size) {
-  intervals_.reserve(balls.size());
-  const bool has_rests = !balls.center_rests.empty();
-  if (!balls.is_circumscribed() && !has_rests) {
-    const Upward_rounding rounding;
-    for (std::size_t b = 0; b < balls.size(); ++b)
-      intervals_.push_back(
-          {Interval(balls.centers[b].x), Interval(balls.centers[b].y), CGAL::square(Interval(balls.radii[b]))});
-    return;
-  }
   precise_.reserve(balls.size());
-  const auto corner = [&](std::size_t ball, int i) -> const Point_2& {
-    return (*balls.samples)[balls.contacts_of(static_cast<int>(ball))[i]];
-  };
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    if (has_rests) {
-      precise_.push_back({Double_double(balls.centers[b].x, balls.center_rests[b].x),
-                          Double_double(balls.centers[b].y, balls.center_rests[b].y),
-                          square_of(Double_double(balls.radii[b]))});
-      continue;
-    }
-    const auto circle = circumcircle<Double_double>(corner(b, 0), corner(b, 1), corner(b, 2));
-    precise_.push_back({circle.x, circle.y, circle.squared_radius});
-  }
-  const Upward_rounding rounding;
-  for (std::size_t b = 0; b < balls.size(); ++b) {
-    const Lifted<Double_double>& value = precise_[b];
-    const auto interval = [](const Double_double& of) { return Interval(of.lower_bound(), of.upper_bound()); };
-    if (is_bounded(value.x) && is_bounded(value.y) && is_bounded(value.w)) {
-      intervals_.push_back({interval(value.x), interval(value.y), interval(value.w)});
+    if (balls.is_circumscribed()) {
+      const auto contacts = balls.contacts_of(static_cast<int>(b));
+      const auto& samples = *balls.samples;
+      const auto circle = circumcircle<Double_double>(samples[contacts[0]], samples[contacts[1]], samples[contacts[2]]);
+      precise_.push_back({circle.x, circle.y, circle.squared_radius});
+      if (!precise_.back().x.is_known() || !precise_.back().y.is_known() || !precise_.back().w.is_known()) {
+        const Lifted<Rational> exact = compute_exact(static_cast<int>(b));
+        precise_.back() = {nearest(exact.x), nearest(exact.y), nearest(exact.w)};
+      }
     } else {
-      const Lifted<Rational> exact = compute_exact(static_cast<int>(b));
-      intervals_.push_back({Interval(CGAL::to_interval(exact.x)), Interval(CGAL::to_interval(exact.y)),
-                            Interval(CGAL::to_interval(exact.w))});
+      const Point_2 rest = balls.center_rests.empty() ? Point_2{} : balls.center_rests[b];
+      precise_.push_back({Double_double(balls.centers[b].x, rest.x), Double_double(balls.centers[b].y, rest.y),
+                          square_of(Double_double(balls.radii[b]))});
     }
   }
 }
 
-Power_predicates::Lifted<Double_double> Power_predicates::precise(int ball) const {
-  if (!precise_.empty()) return precise_[ball];
-  return {Double_double(balls_.centers[ball].x), Double_double(balls_.centers[ball].y),
-          square_of(Double_double(balls_.radii[ball]))};
+Power_predicates::Rounded Power_predicates::rounded(int ball) const {
+  const Lifted<Double_double>& precise = precise_[ball];
+  return {Split_interval(precise.x), Split_interval(precise.y), Split_interval(precise.w)};
 }
 
 Power_predicates::Lifted<Power_predicates::Rational> Power_predicates::compute_exact(int ball) const {
@@ -172,10 +151,10 @@ bool Power_predicates::touch_common_sample(std::initializer_list<int> disks) con
 
 template <class Function, class... Disks>
 CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) const {
-  if (const auto sign = function(intervals_[disks]...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
+  if (const auto sign = function(rounded(disks)...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
   {
     const Nearest_rounding rounding(CGAL_FE_TONEAREST);
-    if (const auto sign = function(precise(disks)...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
+    if (const auto sign = function(precise_[disks]...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
   }
   return function(Lifted<Rational>(exact(disks))...);
 }
@@ -183,8 +162,8 @@ CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) co
 Power_predicates::Precise_point Power_predicates::crossing(int a, int b, double alpha, bool on_left) const {
   const Nearest_rounding rounding(CGAL_FE_TONEAREST);
   constexpr double part = 0x1p-80;
-  const Lifted<Double_double> p = precise(a);
-  const Lifted<Double_double> q = precise(b);
+  const Lifted<Double_double>& p = precise_[a];
+  const Lifted<Double_double>& q = precise_[b];
   Double_double x = q.x - p.x;
   Double_double y = q.y - p.y;
   Chord<Double_double> chord = common_chord(x, y, p.w, q.w, alpha);
@@ -194,9 +173,9 @@ Power_predicates::Precise_point Power_predicates::crossing(int a, int b, double 
     const Rational exact_x = exact_q.x - exact_p.x;
     const Rational exact_y = exact_q.y - exact_p.y;
     const auto exact_chord = common_chord<Rational>(exact_x, exact_y, exact_p.w, exact_q.w, alpha);
-    x = rounded(exact_x);
-    y = rounded(exact_y);
-    chord = {rounded(exact_chord.along), rounded(exact_chord.squared_height)};
+    x = nearest(exact_x);
+    y = nearest(exact_y);
+    chord = {nearest(exact_chord.along), nearest(exact_chord.squared_height)};
   }
   const Double_double height = sqrt(chord.squared_height);
   const Double_double across = on_left ? height : -height;
@@ -208,15 +187,15 @@ Power_predicates::Precise_point Power_predicates::crossing(int a, int b, double 
 Power_predicates::Power_vertex Power_predicates::power_vertex(int a, int b, int c) const {
   const Nearest_rounding rounding(CGAL_FE_TONEAREST);
   constexpr double part = 0x1p-50;
-  const Lifted<Double_double> p = precise(a);
-  auto [x, y, d2] = relative_power_vertex<Double_double>(p, precise(b), precise(c));
+  const Lifted<Double_double>& p = precise_[a];
+  auto [x, y, d2] = relative_power_vertex<Double_double>(p, precise_[b], precise_[c]);
   Double_double power = d2 - p.w;
   if (!d2.is_known_to(part)) {
     const Lifted<Rational> exact_p = compute_exact(a);
     const auto exact_vertex = relative_power_vertex<Rational>(exact_p, compute_exact(b), compute_exact(c));
-    x = rounded(exact_vertex[0]);
-    y = rounded(exact_vertex[1]);
-    power = rounded(Rational(exact_vertex[2] - exact_p.w));
+    x = nearest(exact_vertex[0]);
+    y = nearest(exact_vertex[1]);
+    power = nearest(Rational(exact_vertex[2] - exact_p.w));
   }
   return {{(p.x + x).high(), (p.y + y).high()}, power.high()};
 }
@@ -224,7 +203,7 @@ Power_predicates::Power_vertex Power_predicates::power_vertex(int a, int b, int 
 CGAL::Comparison_result Power_predicates::compare_x(int a, int b) const {
   return decide(
       [](const auto& p, const auto& q) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         return sign_of(Number(p.x - q.x));
       },
       a, b);
@@ -233,7 +212,7 @@ CGAL::Comparison_result Power_predicates::compare_x(int a, int b) const {
 CGAL::Comparison_result Power_predicates::compare_y(int a, int b) const {
   return decide(
       [](const auto& p, const auto& q) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         return sign_of(Number(p.y - q.y));
       },
       a, b);
@@ -242,7 +221,7 @@ CGAL::Comparison_result Power_predicates::compare_y(int a, int b) const {
 CGAL::Orientation Power_predicates::orientation(int a, int b, int c) const {
   return decide(
       [](const auto& p, const auto& q, const auto& r) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         return sign_of(Number((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)));
       },
       a, b, c);
@@ -251,8 +230,9 @@ CGAL::Orientation Power_predicates::orientation(int a, int b, int c) const {
 CGAL::Orientation Power_predicates::orientation(int a, int b, const Point_2& point) const {
   return decide(
       [&point](const auto& p, const auto& q) {
-        using Number = std::decay_t<decltype(p.x)>;
-        return sign_of(Number((q.x - p.x) * (Number(point.y) - p.y) - (q.y - p.y) * (Number(point.x) - p.x)));
+        using Number = typename std::decay_t<decltype(p)>::Number;
+        using Coordinate = typename std::decay_t<decltype(p)>::Coordinate;
+        return sign_of(Number((q.x - p.x) * (Coordinate(point.y) - p.y) - (q.y - p.y) * (Coordinate(point.x) - p.x)));
       },
       a, b);
 }
@@ -261,16 +241,16 @@ CGAL::Oriented_side Power_predicates::power_side(int a, int b, int c, int d) con
   if (have_common_contact({a, b, c, d})) return CGAL::ON_ORIENTED_BOUNDARY;
   return decide(
       [](const auto& p, const auto& q, const auto& r, const auto& t) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number px = p.x - t.x;
         const Number py = p.y - t.y;
         const Number qx = q.x - t.x;
         const Number qy = q.y - t.y;
         const Number rx = r.x - t.x;
         const Number ry = r.y - t.y;
-        const Number p2 = square_of(px) + square_of(py) - p.w + t.w;
-        const Number q2 = square_of(qx) + square_of(qy) - q.w + t.w;
-        const Number r2 = square_of(rx) + square_of(ry) - r.w + t.w;
+        const Number p2 = square_of(px) + square_of(py) + (t.w - p.w);
+        const Number q2 = square_of(qx) + square_of(qy) + (t.w - q.w);
+        const Number r2 = square_of(rx) + square_of(ry) + (t.w - r.w);
         return sign_of(Number((px * qy - py * qx) * r2 + (qx * ry - qy * rx) * p2 + (rx * py - ry * px) * q2));
       },
       a, b, c, d);
@@ -284,7 +264,7 @@ CGAL::Oriented_side Power_predicates::power_side(int a, int b, int d) const {
 CGAL::Oriented_side Power_predicates::power_side(int a, int d) const {
   return decide(
       [](const auto& p, const auto& t) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         return sign_of(Number(t.w - p.w));
       },
       a, d);
@@ -293,12 +273,12 @@ CGAL::Oriented_side Power_predicates::power_side(int a, int d) const {
 CGAL::Comparison_result Power_predicates::compare_power_distance(int at, int a, int b) const {
   return decide(
       [](const auto& o, const auto& p, const auto& q) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number px = p.x - o.x;
         const Number py = p.y - o.y;
         const Number qx = q.x - o.x;
         const Number qy = q.y - o.y;
-        return sign_of(Number(square_of(px) + square_of(py) - p.w - square_of(qx) - square_of(qy) + q.w));
+        return sign_of(Number(square_of(px) + square_of(py) - square_of(qx) - square_of(qy) + (q.w - p.w)));
       },
       at, a, b);
 }
@@ -307,8 +287,8 @@ CGAL::Sign Power_predicates::size_sign(int a, double alpha) const {
   if (alpha >= 0) return alpha == 0 && balls_.radii[a] == 0 ? CGAL::ZERO : CGAL::NEGATIVE;
   return decide(
       [alpha](const auto& p) {
-        using Number = std::decay_t<decltype(p.x)>;
-        return sign_of(Number(-p.w - Number(alpha)));
+        using Number = typename std::decay_t<decltype(p)>::Number;
+        return sign_of(Number(-Number(p.w) - Number(alpha)));
       },
       a);
 }
@@ -316,12 +296,12 @@ CGAL::Sign Power_predicates::size_sign(int a, double alpha) const {
 CGAL::Sign Power_predicates::size_sign(int a, int b, double alpha) const {
   return decide(
       [alpha](const auto& p, const auto& q) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number x = q.x - p.x;
         const Number y = q.y - p.y;
         const Number d2 = square_of(x) + square_of(y);
-        const Number s = d2 + p.w - q.w;
-        return sign_of(Number(square_of(s) - Number(4) * d2 * (p.w + Number(alpha))));
+        const Number s = d2 + (p.w - q.w);
+        return sign_of(Number(square_of(s) - Number(4) * d2 * (Number(p.w) + Number(alpha))));
       },
       a, b);
 }
@@ -330,17 +310,18 @@ CGAL::Sign Power_predicates::size_sign(int a, int b, int c, double alpha) const 
   if (touch_common_sample({a, b, c})) return CGAL::sign(-alpha);
   return decide(
       [alpha](const auto& p, const auto& q, const auto& r) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number qx = q.x - p.x;
         const Number qy = q.y - p.y;
         const Number rx = r.x - p.x;
         const Number ry = r.y - p.y;
-        const Number q2 = square_of(qx) + square_of(qy) - q.w + p.w;
-        const Number r2 = square_of(rx) + square_of(ry) - r.w + p.w;
+        const Number q2 = square_of(qx) + square_of(qy) + (p.w - q.w);
+        const Number r2 = square_of(rx) + square_of(ry) + (p.w - r.w);
         const Number cross = qx * ry - qy * rx;
         const Number x = q2 * ry - r2 * qy;
         const Number y = r2 * qx - q2 * rx;
-        return sign_of(Number(square_of(x) + square_of(y) - Number(4) * square_of(cross) * (p.w + Number(alpha))));
+        return sign_of(
+            Number(square_of(x) + square_of(y) - Number(4) * square_of(cross) * (Number(p.w) + Number(alpha))));
       },
       a, b, c);
 }
@@ -348,10 +329,10 @@ CGAL::Sign Power_predicates::size_sign(int a, int b, int c, double alpha) const 
 CGAL::Sign Power_predicates::conflict_sign(int a, int d) const {
   return decide(
       [](const auto& p, const auto& t) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number x = t.x - p.x;
         const Number y = t.y - p.y;
-        return sign_of(Number(square_of(x) + square_of(y) - t.w + p.w));
+        return sign_of(Number(square_of(x) + square_of(y) + (p.w - t.w)));
       },
       a, d);
 }
@@ -359,14 +340,14 @@ CGAL::Sign Power_predicates::conflict_sign(int a, int d) const {
 CGAL::Sign Power_predicates::conflict_sign(int a, int b, int d) const {
   return decide(
       [](const auto& p, const auto& q, const auto& t) {
-        using Number = std::decay_t<decltype(p.x)>;
+        using Number = typename std::decay_t<decltype(p)>::Number;
         const Number qx = q.x - p.x;
         const Number qy = q.y - p.y;
         const Number tx = t.x - p.x;
         const Number ty = t.y - p.y;
         const Number d2 = square_of(qx) + square_of(qy);
         const Number t2 = square_of(tx) + square_of(ty);
-        return sign_of(Number(d2 * (t2 + p.w - t.w) - (d2 + p.w - q.w) * (qx * tx + qy * ty)));
+        return sign_of(Number(d2 * (t2 + (p.w - t.w)) - (d2 + (p.w - q.w)) * (qx * tx + qy * ty)));
       },
       a, b, d);
 }

@@ -70,12 +70,29 @@ class Power_predicates {
  private:
   using Interval = CGAL::Interval_nt<false>;
   using Rational = CGAL::Exact_rational;
-  template <class Number>
-  struct Lifted {
-    Number x;
-    Number y;
-    Number w;  ///< weight
+  /// A double and bounds of what it lacks. The difference of near numbers loses nothing.
+  struct Split_interval {
+    double high = 0;
+    Interval low = 0;
+    Split_interval() = default;
+    explicit Split_interval(double value) : high(value) {}
+    explicit Split_interval(const Double_double& value)
+        : high(value.high()), low(value.low_lower_bound(), value.low_upper_bound()) {}
+    explicit operator Interval() const { return Interval(high) + low; }
+    Interval operator-(const Split_interval& other) const {
+      return (Interval(high) - Interval(other.high)) + (low - other.low);
+    }
   };
+  /// A disk in one of the precisions: Number is what differences of its coordinates are computed in.
+  template <class Coordinate_, class Number_ = Coordinate_>
+  struct Lifted {
+    using Coordinate = Coordinate_;
+    using Number = Number_;
+    Coordinate x;
+    Coordinate y;
+    Coordinate w;  ///< weight
+  };
+  using Rounded = Lifted<Split_interval, Interval>;
   struct Cached {
     int ball = -1;
     Lifted<Rational> value;
@@ -85,14 +102,13 @@ class Power_predicates {
   Lifted<Rational> compute_exact(int ball) const;
   bool have_common_contact(std::initializer_list<int> disks) const;
   bool touch_common_sample(std::initializer_list<int> disks) const;
-  Lifted<Double_double> precise(int ball) const;
+  Rounded rounded(int ball) const;
   /// The sign that `function` gives, with the disks in the least precision that is certain.
   template <class Function, class... Disks>
   CGAL::Sign decide(const Function& function, Disks... disks) const;
 
   const Balls_2& balls_;
-  std::vector<Lifted<Interval>> intervals_;
-  std::vector<Lifted<Double_double>> precise_;  ///< of circumscribed disks
+  std::vector<Lifted<Double_double>> precise_;
   mutable std::vector<Cached> cache_;
 };
 
