@@ -453,7 +453,7 @@ Power_vertices_2 power_vertices(const Regular_2& triangulation, Progress& progre
     const double twice_cross = 2 * (bx * cy - by * cx);
     const double zx = (cy * b2 - by * c2) / twice_cross;
     const double zy = (bx * c2 - cx * b2) / twice_cross;
-    constexpr double smallest_trusted_part = 1e-8;
+    constexpr double smallest_trusted_part = 1e-3;
     is_doubtful[t] = !(std::abs(twice_cross) > smallest_trusted_part * (std::abs(bx * cy) + std::abs(by * cx)));
     result.vertices[t] = {balls.centers[a].x + zx, balls.centers[a].y + zy};
     result.powers[t] = zx * zx + zy * zy - ra * ra;

@@ -230,7 +230,10 @@ class Axis_builder {
 
   void add_voronoi_edges() {
     std::vector<int> vertices_of_ball(boundary_.radii.size(), 0);
-    for (const int ball : boundary_.sources) ++vertices_of_ball[ball];
+    const Sources_of_sites sources(boundary_, delaunay_.site);
+    for (int v = 0; v < static_cast<int>(delaunay_.site.size()); ++v)
+      if (delaunay_.site[v] == v)
+        for (const int ball : sources.of(v)) ++vertices_of_ball[ball];
     const int count = static_cast<int>(delaunay_.triangles.size());
     for (int t = 0; t < count; ++t) {
       if (t % 8192 == 0) progress_.check();
@@ -247,8 +250,8 @@ class Axis_builder {
         if (a == b) continue;
         const Pairs::Answer pair = pairs_.find(p, q);
         if (a >= 0 && b >= 0) {
-          if (pair.chords == 0)
-            add_edge(a, b, p, q, pair.is_singular ? Axis_edge_kind::singular : Axis_edge_kind::complete);
+          const bool is_singular = pair.is_singular && axis_.balls[a] >= 0 && axis_.balls[b] >= 0;
+          if (pair.chords == 0) add_edge(a, b, p, q, is_singular ? Axis_edge_kind::singular : Axis_edge_kind::complete);
         } else if (pair.chords == 1 && vertices_of_ball[pair.ball] == 2 && (pair.is_singular || !complete_only_)) {
           // Disks with more vertices of the union have their center at a Voronoi vertex.
           add_edge(std::max(a, b), node_of_ball(pair.ball), p, q,
