@@ -113,7 +113,7 @@ Dual_2 dual_complex(std::shared_ptr<const Regular_2> regular, double alpha, Prog
   Dual_2 dual;
   dual.regular = std::move(regular);
   dual.alpha = alpha;
-  const Power_predicates predicates(*dual.regular->balls);
+  const Power_predicates predicates(*dual.regular->balls, progress);
   const Power_predicates::Upward_rounding rounding;
   Classifier classifier(dual, predicates);
   classifier.classify_triangles(progress);

@@ -95,9 +95,10 @@ std::array<Number, 3> relative_power_vertex(const Lifted& p, const Lifted& q, co
 
 }  // namespace
 
-Power_predicates::Power_predicates(const Balls_2& balls) : balls_(balls), cache_(cache_size) {
+Power_predicates::Power_predicates(const Balls_2& balls, const Progress& progress) : balls_(balls), cache_(cache_size) {
   precise_.reserve(balls.size());
   for (std::size_t b = 0; b < balls.size(); ++b) {
+    if (b % 4096 == 0) progress.check();
     if (balls.is_circumscribed()) {
       const auto contacts = balls.contacts_of(static_cast<int>(b));
       const auto& samples = *balls.samples;

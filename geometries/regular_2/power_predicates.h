@@ -22,8 +22,8 @@ class Power_predicates {
  public:
   using Upward_rounding = CGAL::Protect_FPU_rounding<true>;
 
-  /// The disks must outlive this.
-  explicit Power_predicates(const Balls_2& balls);
+  /// The disks must outlive this. O(n). Throws Cancelled.
+  Power_predicates(const Balls_2& balls, const Progress& progress);
 
   /// Where the circles of squared radii r^2 + alpha of two disks meet, on one side of a -> b, to about twice the digits
   /// of a double; where they nearly touch, that holds relative to their distance from the line of the centers. The

@@ -270,7 +270,7 @@ Triangulation triangulate(const Insertion_order& order, const Power_predicates& 
   vertices.reserve(order.sites.size());
   for (std::size_t i = 0; i < order.sites.size(); ++i) {
     const Site& site = order.sites[i];
-    if (i % 4096 == 0) progress.report(0.9 * static_cast<double>(i) / static_cast<double>(order.sites.size()));
+    if (i % 1024 == 0) progress.report(0.9 * static_cast<double>(i) / static_cast<double>(order.sites.size()));
     Triangulation::Face_handle hint;
     if (order.near[i] >= 0) hint = vertices[order.near[i]]->face();
     Triangulation::Locate_type type{};
@@ -395,7 +395,7 @@ std::vector<int> flat_vertices(const Regular_2& regular, const Power_predicates&
 Regular_2 regular_triangulation(std::shared_ptr<const Balls_2> balls, Progress& progress) {
   Regular_2 regular;
   regular.balls = std::move(balls);
-  const Power_predicates predicates(*regular.balls);
+  const Power_predicates predicates(*regular.balls, progress);
   const Power_predicates::Upward_rounding rounding;
   std::vector<std::uint8_t> is_left_out(regular.balls->size(), 0);
   while (true) {
@@ -459,7 +459,7 @@ Power_vertices_2 power_vertices(const Regular_2& triangulation, Progress& progre
     result.powers[t] = zx * zx + zy * zy - ra * ra;
   });
   if (std::ranges::find(is_doubtful, 1) == is_doubtful.end()) return result;
-  const Power_predicates predicates(balls);
+  const Power_predicates predicates(balls, progress);
   for (std::size_t t = 0; t < count; ++t) {
     if (t % 4096 == 0) progress.check();
     if (is_doubtful[t] == 0) continue;

@@ -27,7 +27,7 @@ class Boundary_builder {
         dual_(*boundary.dual),
         regular_(*dual_.regular),
         balls_(*regular_.balls),
-        predicates_(balls_),
+        predicates_(balls_, progress),
         progress_(progress),
         vertex_of_sample_(balls_.is_circumscribed() ? balls_.samples->size() : 0, -1) {}
 

@@ -11,7 +11,9 @@ inputs=("$MESECINA_DATA"/2d/*.{wkt,xy})
 [ ${#inputs[@]} -gt 0 ] || fail "expected shapes in $MESECINA_DATA/2d"
 
 compute() {
-  run --nogui "${inputs[@]}" --layers one-step-crust,medial-axis,scale-medial-axis --formats json,svg "$@"
+  run --nogui "${inputs[@]}" --set scale=1.3 --formats json,svg \
+    --layers one-step-crust,medial-axis,scale-medial-axis,dual,dual-faces,union-boundary,union-medial-axis,scale-axis,scale-axis-disks \
+    "$@"
 }
 compute --output first --threads 1 --stats stats.jsonl
 expect_lines stats.jsonl ${#inputs[@]}
@@ -20,12 +22,18 @@ if jq -es 'all(.[]; .status == "ok")' stats.jsonl >/dev/null; then expect_status
 
 while IFS=$'\t' read -r input state; do
   stem=$(basename "${input%.*}")
-  for name in one-step-crust.json medial-axis.json scale-medial-axis.json svg; do
+  for name in one-step-crust.json medial-axis.json scale-medial-axis.json union-medial-axis.json scale-axis.json svg; do
     if [ "$state" = ok ]; then expect_file "first/$stem.$name"; else expect_no_file "first/$stem.$name"; fi
   done
 done < <(jq -r '[.input, .status] | @tsv' stats.jsonl)
 [ "$(jq -s 'map(select(.status == "ok")) | length' stats.jsonl)" -ge $((${#inputs[@]} - 1)) ] ||
   fail "expected all shapes but the one that is broken on purpose"
+
+# The medial axis of a union has the topology of its dual complex, and so have its boundary curves: one around each
+# component and one in each hole.
+expect_json stats.jsonl 'map(select(.status == "ok").layers) | all(.[]; .["union-medial-axis"].betti == .dual.betti)'
+expect_json stats.jsonl \
+  'map(select(.status == "ok").layers) | all(.[]; .["union-boundary"].betti[0] == .dual.betti[0] + .dual.betti[1])'
 
 compute --output second --threads 2 --jobs 2
 expect_same first second
