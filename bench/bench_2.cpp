@@ -21,8 +21,8 @@
 #include "geometries/filtration/filtration.h"
 #include "geometries/labels_2/labels_2.h"
 #include "geometries/medial_axis_2/medial_axis_2.h"
+#include "geometries/medial_filtrations_2/ball_scale_2.h"
 #include "geometries/modules_2.h"
-#include "geometries/scale_importance/scale_importance.h"
 
 namespace {
 
@@ -59,7 +59,7 @@ Times measure(std::size_t count, int threads, int repetitions) {
                            angle_of_edges(triangulation, axis, progress);
                          }));
     best.scale = std::min(best.scale, seconds([&] {
-                            const Scale_importance importance = scale_importance(axis.centers, axis.radii, 1, progress);
+                            const Ball_scale_2 importance = ball_scale(triangulation, axis, progress);
                             std::vector<double> values;
                             for (const auto& [a, b] : axis.edges)
                               values.push_back(std::min(importance.values[a], importance.values[b]));

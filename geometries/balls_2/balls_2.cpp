@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/balls_2/balls_2.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/hilbert_sort.h>
 
 #include <algorithm>
@@ -46,9 +45,6 @@ namespace {
 
 /// Per triangle the least triangle with the same circle.
 std::vector<int> circle_classes(const Delaunay_2& triangulation, Progress& progress) {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto& points = triangulation.points;
-  const auto at = [&](int i) { return Kernel::Point_2(points[i].x, points[i].y); };
   std::vector<int> parent(triangulation.triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int t) {
@@ -59,10 +55,7 @@ std::vector<int> circle_classes(const Delaunay_2& triangulation, Progress& progr
     if (t % 8192 == 0) progress.check();
     for (int i = 0; i < 3; ++i) {
       const int u = triangulation.neighbors[t][i];
-      if (u < 0 || u > t) continue;
-      const auto& [a, b, c] = triangulation.triangles[t];
-      const int d = triangulation.triangles[u][triangulation.mirror_corner(t, i)];
-      if (CGAL::side_of_oriented_circle(at(a), at(b), at(c), at(d)) != CGAL::ON_ORIENTED_BOUNDARY) continue;
+      if (u < 0 || u > t || !have_one_circle(triangulation, t, i)) continue;
       const int r = root(t);
       const int s = root(u);
       parent[std::max(r, s)] = std::min(r, s);

@@ -158,6 +158,35 @@ Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress) {
   return result;
 }
 
+bool have_one_circle(const Delaunay_2& triangulation, int triangle, int corner) {
+  const auto& [a, b, c] = triangulation.triangles[triangle];
+  const int u = triangulation.neighbors[triangle][corner];
+  const int d = triangulation.triangles[u][triangulation.mirror_corner(triangle, corner)];
+  const Point_2& p = triangulation.points[a];
+  const Point_2& q = triangulation.points[b];
+  const Point_2& r = triangulation.points[c];
+  const Point_2& s = triangulation.points[d];
+  const double px = p.x - s.x;
+  const double py = p.y - s.y;
+  const double qx = q.x - s.x;
+  const double qy = q.y - s.y;
+  const double rx = r.x - s.x;
+  const double ry = r.y - s.y;
+  const double p2 = px * px + py * py;
+  const double q2 = qx * qx + qy * qy;
+  const double r2 = rx * rx + ry * ry;
+  const double determinant = p2 * (qx * ry - qy * rx) + q2 * (rx * py - ry * px) + r2 * (px * qy - py * qx);
+  const double magnitude = p2 * (std::abs(qx * ry) + std::abs(qy * rx)) + q2 * (std::abs(rx * py) + std::abs(ry * px)) +
+                           r2 * (std::abs(px * qy) + std::abs(py * qx));
+  // Rounding makes up less than 11.2 units of it, unless products vanish. [J. Shewchuk: Adaptive precision
+  // floating-point arithmetic and fast robust geometric predicates, 1997]
+  constexpr double smallest_part = 1.3e-15;
+  constexpr double smallest_safe = 1e-280;
+  if (magnitude > smallest_safe && std::abs(determinant) > smallest_part * magnitude) return false;
+  const auto exact = [](const Point_2& point) { return Dynamic::Kernel::Point_2(point.x, point.y); };
+  return CGAL::side_of_oriented_circle(exact(p), exact(q), exact(r), exact(s)) == CGAL::ON_ORIENTED_BOUNDARY;
+}
+
 namespace {
 
 struct Circle {

@@ -58,6 +58,9 @@ Delaunay_2 delaunay(std::span<const Point_2> points, Progress& progress);
 /// leaves something that may only be destroyed or assigned to. Local: O(n) cheap comparisons + O(log n) per change.
 bool update(Delaunay_2& triangulation, std::span<const Point_2> points, Progress& progress);
 
+/// Whether a triangle and its neighbour across the edge have one circle, decided exactly. The neighbour must not be -1.
+bool have_one_circle(const Delaunay_2& triangulation, int triangle, int corner);
+
 /// Voronoi vertices: per triangle the circumcenter and circumradius.
 struct Voronoi_2 {
   std::vector<Point_2> vertices;

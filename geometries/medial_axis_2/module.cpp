@@ -37,7 +37,7 @@ Element_description describe_axis_element(Context& context, std::size_t element)
     const int ball = isolated[element];
     description.facts.push_back(fact("center", axis->centers[ball]));
     description.facts.push_back(fact("radius", axis->radii[ball]));
-    for (const int corner : triangulation->triangles[axis->triangles[ball]]) add_contact(corner);
+    for (const int contact : contacts_of_ball(*triangulation, *axis, ball)) add_contact(contact);
     add_disk(description.dual, axis->centers[ball], axis->radii[ball]);
     return description;
   }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/medial_filtrations_2/module.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/graph.h"
 #include "geometries/balls_2/module.h"
 #include "geometries/delaunay_2/module.h"
 #include "geometries/filtration/filtration.h"
+#include "geometries/medial_filtrations_2/ball_scale_2.h"
 #include "geometries/primitives_2.h"
-#include "geometries/scale_importance/scale_importance.h"
 #include "geometries/union_2/module.h"
 
 namespace mesecina {
@@ -17,51 +18,23 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Scale importance of the medial balls with the balls it belongs to, to be updated when a few of them change.
-struct Ball_scale_2 {
-  std::vector<Point_2> centers;
-  std::vector<double> radii;
-  std::vector<int> triangles;
-  Scale_importance importance;
-};
 constexpr Key<Ball_scale_2> ball_scale_2_key{"ball-scale-2"};
 
-/// No Delaunay disk lies within another.
-constexpr double least_scale = 1;
-
 Ball_scale_2 compute_ball_scale(Context& context) {
-  const auto axis = context.get(medial_axis_2_key);
-  return {axis->centers, axis->radii, axis->triangles,
-          scale_importance(axis->centers, axis->radii, least_scale, context.progress())};
+  return ball_scale(*context.get(delaunay_2_key), *context.get(medial_axis_2_key), context.progress());
 }
 
-std::shared_ptr<Ball_scale_2> update_ball_scale(Context& context, const std::shared_ptr<Ball_scale_2>& previous) {
-  const auto axis = context.get(medial_axis_2_key);
-  // A ball is the same if it belongs to the same triangle and has the same place and size.
-  std::vector<int> ball_of_triangle;
-  for (std::size_t b = 0; b < previous->triangles.size(); ++b) {
-    const auto t = static_cast<std::size_t>(previous->triangles[b]);
-    if (t >= ball_of_triangle.size()) ball_of_triangle.resize(t + 1, -1);
-    ball_of_triangle[t] = static_cast<int>(b);
-  }
-  std::vector<int> old_index(axis->centers.size(), -1);
-  for (std::size_t b = 0; b < old_index.size(); ++b) {
-    const auto t = static_cast<std::size_t>(axis->triangles[b]);
-    const int old = t < ball_of_triangle.size() ? ball_of_triangle[t] : -1;
-    if (old >= 0 && previous->centers[old] == axis->centers[b] && previous->radii[old] == axis->radii[b])
-      old_index[b] = old;
-  }
+std::shared_ptr<Ball_scale_2> compute_ball_scale_update(Context& context,
+                                                        const std::shared_ptr<Ball_scale_2>& previous) {
   return std::make_shared<Ball_scale_2>(
-      Ball_scale_2{axis->centers, axis->radii, axis->triangles,
-                   update_scale_importance(previous->importance, old_index, axis->centers, axis->radii, least_scale,
-                                           context.progress())});
+      update_ball_scale(*previous, *context.get(delaunay_2_key), *context.get(medial_axis_2_key), context.progress()));
 }
 
 Importance_2 compute_scale(Context& context) {
   const auto axis = context.get(medial_axis_2_key);
   const auto balls = context.get(ball_scale_2_key);
   Importance_2 importance;
-  importance.balls = balls->importance.values;
+  importance.balls = balls->values;
   importance.edges.reserve(axis->edges.size());
   for (const auto& [a, b] : axis->edges) importance.edges.push_back(std::min(importance.balls[a], importance.balls[b]));
   return importance;
@@ -156,9 +129,13 @@ Element_description describe_medial_disk(Context& context, std::size_t element) 
   Element_description description;
   if (element >= axis->centers.size()) return description;
   description.facts.push_back(fact("center", axis->centers[element]));
-  for (const int corner : triangulation->triangles[axis->triangles[element]])
-    add_point(description.dual, triangulation->points[corner]);
+  // Of more than three contacts those of one triangle, then the others.
+  const auto& corners = triangulation->triangles[axis->triangles[element]];
+  for (const int corner : corners) add_point(description.dual, triangulation->points[corner]);
   description.dual.triangles.push_back({0, 1, 2});
+  for (const int contact : contacts_of_ball(*triangulation, *axis, static_cast<int>(element)))
+    if (std::ranges::find(corners, contact) == corners.end())
+      add_point(description.dual, triangulation->points[contact]);
   return description;
 }
 
@@ -263,7 +240,7 @@ void register_medial_filtrations_2(Registry& registry) {
       "usual. [B. Miklos: The Scale Axis Transform, 2010, section 6.2]",
       "factor", 1.1, 1, infinity);
 
-  registry.add_structure<Ball_scale_2>(ball_scale_2_key, compute_ball_scale, update_ball_scale);
+  registry.add_structure<Ball_scale_2>(ball_scale_2_key, compute_ball_scale, compute_ball_scale_update);
   registry.add_structure<Importance_2>(scale_2_key, compute_scale);
 
   add_measure(registry, {"lambda",

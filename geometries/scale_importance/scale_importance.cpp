@@ -36,6 +36,46 @@ double quotient(const Disk& disk, const Disk& larger) {
   return std::sqrt(dx * dx + dy * dy) / growth;
 }
 
+/// A disk whose importance is wanted.
+class Query {
+ public:
+  /// slope: see scale_importance; infinity where nothing is known.
+  Query(const Disk& disk, double slope)
+      : disk_(disk), slope_(slope), least_(slope < infinity ? 1 : 0), inverse_diameter_(0.5 / disk.radius) {}
+
+  const Disk& disk() const { return disk_; }
+  /// Lower bound of all quotients.
+  double least() const { return least_; }
+  /// Lower bound of the quotients with disks up to `distance` away. Not increasing with the distance, as rounded too,
+  /// and the same for all that cannot be told from the disk itself: so one of them settles it for the others.
+  double least_within(double distance) const {
+    return std::max(least_, 1 / (slope_ + std::max(distance * inverse_diameter_, resolution)));
+  }
+  /// Whether least_within(distance) >= value.
+  bool is_least_within(double distance, double value) const {
+    // A product tells in most cases.
+    if (least_ == 0 || value * (slope_ + std::max(distance * inverse_diameter_, resolution)) > 1 + 8 * unit_roundoff)
+      return false;
+    return least_within(distance) >= value;
+  }
+  /// The quotient if it is less than `value`, else anything not less than it.
+  double quotient_below(const Disk& larger, double value) const {
+    const double result = quotient(disk_, larger);
+    if (!(result < value) || least_ == 0) return result;
+    return std::max(result, least_within(std::sqrt(squared_distance({disk_.x, disk_.y}, {larger.x, larger.y}))));
+  }
+
+ private:
+  /// Relative to the diameter. Larger than what rounding does to centers in most sets of samples, so that bounds are
+  /// the same there, and so small that nothing is lost: it makes bounds lower by such a part.
+  static constexpr double resolution = 0x1p-32;
+
+  Disk disk_;
+  double slope_;
+  double least_;
+  double inverse_diameter_;
+};
+
 /// Bounding volume of disks whose centers lie near a line and whose radii change nearly linearly along it, as those of
 /// neighbours on a medial axis do: centers within an oriented rectangle, radius at most peak + slope t at coordinate t
 /// along it.
@@ -55,6 +95,11 @@ struct Node {
   double largest_radius = -infinity;
 
   static Node around(std::span<const Disk> disks);
+
+  /// Upper bound of the distances from the center of `disk` to those of the node.
+  double largest_distance(const Disk& disk) const {
+    return (std::abs(disk.x - x) + std::abs(disk.y - y) + half_length + half_width) * (1 + 8 * unit_roundoff);
+  }
 
   /// Square of a lower bound of the quotient of `disk` with any disk of the node; infinity when none is larger.
   /// Rounding is accounted for, so that it can never cut off the minimum.
@@ -231,12 +276,13 @@ class Scale_importance::Hierarchy {
   /// Per position in the order, the entry (index at construction) there.
   const std::vector<int>& order() const { return order_; }
 
-  /// The importance of `disk` among the entries that are still there, or anything not above `least` if it is not.
+  /// The importance of a disk among the entries that are still there, or anything not above its `least` if it is not.
   /// `candidate`, when not -1, is the position of a likely witness; it is set to the one found, and left alone if there
   /// is none.
-  double importance(const Disk& disk, std::span<const int> disk_of_entry, double least, int& candidate) const {
+  double importance(const Query& query, std::span<const int> disk_of_entry, int& candidate) const {
+    const Disk& disk = query.disk();
     const auto is_there = [&](std::size_t position) { return disk_of_entry[order_[position]] >= 0; };
-    double best = candidate >= 0 && is_there(candidate) ? quotient(disk, disks_[candidate]) : infinity;
+    double best = candidate >= 0 && is_there(candidate) ? query.quotient_below(disks_[candidate], infinity) : infinity;
     double squared_best = best * best;
 
     struct Visit {
@@ -248,13 +294,14 @@ class Scale_importance::Hierarchy {
     std::size_t depth = 0;
     stack[depth++] = {levels_.back()[0].squared_bound(disk), static_cast<std::uint32_t>(levels_.size() - 1), 0};
     while (depth > 0) {
-      if (best <= least) break;
+      if (best <= query.least()) break;
       const Visit visit = stack[--depth];
       if (!(visit.squared_bound <= squared_best) || visit.squared_bound == infinity) continue;
+      if (query.is_least_within(levels_[visit.level][visit.node].largest_distance(disk), best)) continue;
       if (visit.level == 0) {
         const std::size_t end = std::min(disks_.size(), (std::size_t{visit.node} + 1) * leaf_size);
         for (std::size_t i = std::size_t{visit.node} * leaf_size; i < end; ++i) {
-          const double value = quotient(disk, disks_[i]);
+          const double value = query.quotient_below(disks_[i], best);
           if (value < best && is_there(i)) {
             best = value;
             squared_best = best * best;
@@ -290,20 +337,19 @@ namespace {
 /// The exchanged disks may be this many before a new hierarchy pays.
 constexpr std::size_t most_outside_hierarchy = 256;
 
-bool is_less(const Disk& disk, const Disk& larger, double value) {
+/// Without root and division; true may be wrong by rounding.
+bool may_be_less(const Disk& disk, const Disk& larger, double value) {
   const double growth = larger.radius - disk.radius;
   if (!(growth > 0)) return false;
   const double dx = larger.x - disk.x;
   const double dy = larger.y - disk.y;
-  // Without root and division nearly all disks are dismissed; rounding is left to the exact comparison.
-  if (dx * dx + dy * dy > value * value * (growth * growth) * (1 + 16 * unit_roundoff)) return false;
-  return quotient(disk, larger) < value;
+  return !(dx * dx + dy * dy > value * value * (growth * growth) * (1 + 16 * unit_roundoff));
 }
 
 }  // namespace
 
-Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, double least,
-                                  Progress& progress) {
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
+                                  std::span<const double> slopes, Progress& progress) {
   Scale_importance result;
   result.values.assign(centers.size(), infinity);
   result.witnesses.assign(centers.size(), -1);
@@ -319,8 +365,8 @@ Scale_importance scale_importance(std::span<const Point_2> centers, std::span<co
     const std::size_t end = std::min(order.size(), (b + 1) * block);
     for (std::size_t position = b * block; position < end; ++position) {
       const int i = order[position];
-      const Disk disk{centers[i].x, centers[i].y, radii[i]};
-      result.values[i] = std::max(least, hierarchy->importance(disk, result.disk_of_entry, least, candidate));
+      const Query query({centers[i].x, centers[i].y, radii[i]}, slopes.empty() ? infinity : slopes[i]);
+      result.values[i] = hierarchy->importance(query, result.disk_of_entry, candidate);
       if (result.values[i] < infinity) result.witnesses[i] = order[candidate];
     }
   });
@@ -329,8 +375,8 @@ Scale_importance scale_importance(std::span<const Point_2> centers, std::span<co
 }
 
 Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
-                                         std::span<const Point_2> centers, std::span<const double> radii, double least,
-                                         Progress& progress) {
+                                         std::span<const Point_2> centers, std::span<const double> radii,
+                                         std::span<const double> slopes, Progress& progress) {
   const std::size_t count = centers.size();
   std::vector<int> new_index(old.values.size(), -1);
   std::vector<int> added;
@@ -354,28 +400,30 @@ Scale_importance update_scale_importance(const Scale_importance& old, std::span<
   for (std::size_t i = 0; i < count; ++i)
     if (!is_inside[i]) outside.push_back(static_cast<int>(i));
   if (!old.hierarchy || outside.size() > most_outside_hierarchy)
-    return scale_importance(centers, radii, least, progress);
+    return scale_importance(centers, radii, slopes, progress);
 
   result.values.assign(count, infinity);
   result.witnesses.assign(count, -1);
   const auto& order = result.hierarchy->order();
   const auto disk = [&](std::size_t i) { return Disk{centers[i].x, centers[i].y, radii[i]}; };
   parallel_for(count, progress, [&](std::size_t i) {
-    const Disk self = disk(i);
+    const Query query(disk(i), slopes.empty() ? infinity : slopes[i]);
     const int before = old_index[i];
     const int witness = before < 0 ? -1 : old.witnesses[before];
     const bool is_lost = before < 0 || (witness >= 0 && new_index[witness] < 0);
     if (is_lost) {
       int candidate = -1;
-      result.values[i] = std::max(least, result.hierarchy->importance(self, result.disk_of_entry, least, candidate));
+      result.values[i] = result.hierarchy->importance(query, result.disk_of_entry, candidate);
       if (result.values[i] < infinity) result.witnesses[i] = result.disk_of_entry[order[candidate]];
     } else {
       result.values[i] = old.values[before];
       if (witness >= 0) result.witnesses[i] = new_index[witness];
     }
     for (const int other : is_lost ? outside : added) {
-      if (!is_less(self, disk(other), result.values[i])) continue;
-      result.values[i] = std::max(least, quotient(self, disk(other)));
+      if (!may_be_less(query.disk(), disk(other), result.values[i])) continue;
+      const double value = query.quotient_below(disk(other), result.values[i]);
+      if (!(value < result.values[i])) continue;
+      result.values[i] = value;
       result.witnesses[i] = other;
     }
   });

@@ -16,7 +16,7 @@ namespace mesecina {
 /// [B. Miklos: The Scale Axis Transform, 2010, section 6.2]
 struct Scale_importance {
   std::vector<double> values;
-  /// Per disk an index B' that attains the minimum, or one not above `least`; -1 where there is none.
+  /// Per disk an index B' that attains the minimum, or one not above 1 if slopes were given; -1 where there is none.
   std::vector<int> witnesses;
 
   /// What an update searches in: a hierarchy of the disks of the last full computation, and which disk each of these is
@@ -30,17 +30,20 @@ struct Scale_importance {
 /// distances and radii such that their squares do not overflow (up to about 1e150). Each value is the least of the
 /// quotients as rounded, so it is the same for every number of threads and search order.
 ///
-/// least: values below it are raised to it. 0: nothing is. 1, for disks of which none lies within another: only
-/// rounding can make such values less, and where thousands of disks differ by rounding alone (samples on one circle) a
-/// search for the very least of them would not be near-linear.
-Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii, double least,
-                                  Progress& progress);
+/// slopes: empty, or one per disk, in [0,1], for disks whose numbers are rounded and of which none has a contact point
+/// of another in its interior: at which slope the distance to the nearest contact point of the disk grows at most, from
+/// its center on. Then no quotient can be less than 1 / (slope + d / 2r), because r' <= |c' - k| for every contact
+/// point k. Quotients are raised to that and to 1: where two centers differ by little more than rounding nothing else
+/// is left of them. It also keeps the search near-linear where that is so for thousands of disks (samples on one
+/// circle).
+Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
+                                  std::span<const double> slopes, Progress& progress);
 
-/// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged; -1
-/// for a new one. `old` is what scale_importance or this returned for the old disks with the same `least`. Equal values
-/// to those of a full computation. O(n) with a small constant for a few exchanged disks.
+/// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged
+/// together with its slope; -1 for a new one. `old` is what scale_importance or this returned for the old disks. Equal
+/// values to those of a full computation. O(n) with a small constant for a few exchanged disks.
 Scale_importance update_scale_importance(const Scale_importance& old, std::span<const int> old_index,
-                                         std::span<const Point_2> centers, std::span<const double> radii, double least,
-                                         Progress& progress);
+                                         std::span<const Point_2> centers, std::span<const double> radii,
+                                         std::span<const double> slopes, Progress& progress);
 
 }  // namespace mesecina

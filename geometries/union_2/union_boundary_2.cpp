@@ -191,24 +191,19 @@ class Boundary_builder {
 
   /// Calls visit(e) for the edges of the complex at a disk, counterclockwise around its center.
   template <class Visit>
-  void visit_edges_around(int ball, int first_triangle, const Visit& visit) const {
-    int triangle = first_triangle;
-    for (int corner = regular_.corner_of(triangle, ball);;) {
-      const int previous = regular_.neighbors[triangle][(corner + 2) % 3];
-      if (previous < 0) {
-        visit(edge_at(triangle, (corner + 2) % 3));
-        break;
-      }
-      triangle = previous;
-      corner = regular_.corner_of(triangle, ball);
-      if (triangle == first_triangle) break;
+  void visit_edges_around(int ball, int some_triangle, const Visit& visit) const {
+    const auto clockwise = [&](int t) { return regular_.neighbors[t][(regular_.corner_of(t, ball) + 2) % 3]; };
+    const auto counterclockwise = [&](int t) { return regular_.neighbors[t][(regular_.corner_of(t, ball) + 1) % 3]; };
+    int first = some_triangle;
+    for (int t = clockwise(first); t >= 0 && t != some_triangle; t = clockwise(first)) first = t;
+    const bool is_on_hull = clockwise(first) < 0;
+    if (is_on_hull) visit(edge_at(first, (regular_.corner_of(first, ball) + 2) % 3));
+    int t = first;
+    while (t >= 0) {
+      visit(edge_at(t, (regular_.corner_of(t, ball) + 1) % 3));
+      t = counterclockwise(t);
+      if (t == first) break;
     }
-    const int start = triangle;
-    do {
-      const int corner = regular_.corner_of(triangle, ball);
-      visit(edge_at(triangle, (corner + 1) % 3));
-      triangle = regular_.neighbors[triangle][(corner + 1) % 3];
-    } while (triangle >= 0 && triangle != start);
   }
 
   int edge_at(int triangle, int corner) const {

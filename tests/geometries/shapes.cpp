@@ -69,6 +69,19 @@ std::vector<Point_2> grid_points(int columns, int rows) {
   return result;
 }
 
+std::vector<Point_2> rectangle_samples(const Point_2& corner, double step) {
+  const std::array<Point_2, 4> corners{Point_2{0, 0}, Point_2{corner.x, 0}, corner, Point_2{0, corner.y}};
+  std::vector<Point_2> points;
+  for (int side = 0; side < 4; ++side) {
+    const Point_2& from = corners[side];
+    const Point_2& to = corners[(side + 1) % 4];
+    const int count = static_cast<int>(std::lround(distance(from, to) / step));
+    for (int i = 0; i < count; ++i)
+      points.push_back({from.x + (to.x - from.x) * i / count, from.y + (to.y - from.y) * i / count});
+  }
+  return points;
+}
+
 std::vector<Point_2> collinear_points(int count, std::uint64_t seed) {
   std::vector<Point_2> result;
   for (int i = 0; i < count; ++i) result.push_back({7 + 3.0 * i, -2 + 5.0 * i});

@@ -40,6 +40,8 @@ std::vector<Point_2> uniform_points(int count, std::uint64_t seed, double scale 
 /// Integer points exactly on x^2 + y^2 = (5 * 13 * 17 * 29)^2, every one of them.
 std::vector<Point_2> cocircular_points();
 std::vector<Point_2> grid_points(int columns, int rows);
+/// On the sides of the rectangle from the origin to `corner`, in order: each side in equal steps of about `step`.
+std::vector<Point_2> rectangle_samples(const Point_2& corner, double step);
 /// On a line through integer points, in random order.
 std::vector<Point_2> collinear_points(int count, std::uint64_t seed);
 std::vector<Point_2> clustered_points(int count, std::uint64_t seed);

@@ -54,7 +54,7 @@ double largest_angle(const Point_2& eye, std::span<const Point_2> points) {
 }
 
 /// By trying all circles through two or three of them.
-double smallest_enclosing_radius(const std::array<Point_2, 3>& p) {
+double smallest_enclosing_radius_of_three(const std::array<Point_2, 3>& p) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const Point_2& a = p[i];
@@ -70,16 +70,70 @@ double smallest_enclosing_radius(const std::array<Point_2, 3>& p) {
   return std::min(best, std::sqrt(CGAL::to_double(dx * dx + dy * dy)));
 }
 
+/// Three of the points need as large a circle as all of them.
+double smallest_enclosing_radius(std::span<const Point_2> points) {
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        largest = std::max(largest, smallest_enclosing_radius_of_three({points[i], points[j], points[k]}));
+  return largest;
+}
+
+/// Per triangle the least inner one with the same circle that inner neighbours lead to; -1 for those that are not
+/// inner.
+std::vector<int> circles_by_rationals(const Delaunay_2& d, const Labels_2& labels) {
+  const int count = static_cast<int>(d.triangles.size());
+  std::vector<int> circle(count, -1);
+  for (int first = 0; first < count; ++first) {
+    if (!labels.is_inner[first] || circle[first] >= 0) continue;
+    const auto& [a, b, c] = d.triangles[first];
+    std::vector<int> reached{first};
+    circle[first] = first;
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      for (const int n : d.neighbors[reached[next]]) {
+        if (n < 0 || !labels.is_inner[n] || circle[n] >= 0) continue;
+        const auto is_on_circle = [&](int corner) {
+          return in_circle(d.points[a], d.points[b], d.points[c], d.points[corner]) == 0;
+        };
+        if (!std::ranges::all_of(d.triangles[n], is_on_circle)) continue;
+        circle[n] = first;
+        reached.push_back(n);
+      }
+    }
+  }
+  return circle;
+}
+
 void expect_axis_by_definition(const Result& r) {
   const auto& [d, v, crust, labels, axis] = r;
-  std::vector<int> inner;
-  for (int t = 0; t < static_cast<int>(labels.is_inner.size()); ++t)
-    if (labels.is_inner[t]) inner.push_back(t);
-  std::vector<int> balls = axis.triangles;
-  std::ranges::sort(balls);
-  ASSERT_EQ(balls, inner);
-  ASSERT_EQ(axis.centers.size(), inner.size());
-  ASSERT_EQ(axis.radii.size(), inner.size());
+  const std::vector<int> circle = circles_by_rationals(d, labels);
+  std::vector<int> expected_balls;
+  std::vector<std::array<int, 2>> triangles_of_circles;
+  for (int t = 0; t < static_cast<int>(circle.size()); ++t) {
+    if (circle[t] == t) expected_balls.push_back(t);
+    if (circle[t] >= 0) triangles_of_circles.push_back({circle[t], t});
+  }
+  std::vector<int> balls;
+  std::vector<std::array<int, 2>> found_triangles;
+  for (std::size_t b = 0; b < axis.triangles.size(); ++b) {
+    const int own = circle.at(axis.triangles[b]);
+    balls.push_back(own);
+    found_triangles.push_back({own, axis.triangles[b]});
+    const std::vector<int> contacts = contacts_of_ball(d, axis, static_cast<int>(b));
+    std::set<int> expected_contacts;
+    for (std::size_t t = 0; t < circle.size(); ++t)
+      if (circle[t] == own) expected_contacts.insert(d.triangles[t].begin(), d.triangles[t].end());
+    EXPECT_EQ(contacts, std::vector<int>(expected_contacts.begin(), expected_contacts.end()));
+  }
+  for (const auto& [b, t] : axis.further_triangles) found_triangles.push_back({circle.at(axis.triangles.at(b)), t});
+  EXPECT_TRUE(std::ranges::is_sorted(axis.further_triangles));
+  std::ranges::sort(triangles_of_circles);
+  std::ranges::sort(found_triangles);
+  EXPECT_EQ(found_triangles, triangles_of_circles);
+  ASSERT_EQ(balls, expected_balls);
+  ASSERT_EQ(axis.centers.size(), balls.size());
+  ASSERT_EQ(axis.radii.size(), balls.size());
   for (std::size_t b = 0; b < axis.triangles.size(); ++b) {
     EXPECT_EQ(axis.centers[b], v.vertices[axis.triangles[b]]);
     EXPECT_EQ(axis.radii[b], v.radii[axis.triangles[b]]);
@@ -89,7 +143,8 @@ void expect_axis_by_definition(const Result& r) {
   for (int t = 0; t < static_cast<int>(d.triangles.size()); ++t) {
     for (int i = 0; i < 3; ++i) {
       const int n = d.neighbors[t][i];
-      if (n > t && labels.is_inner[t] && labels.is_inner[n]) expected.push_back({{t, n}, sorted_edge(d.edge(t, i))});
+      if (n > t && labels.is_inner[t] && labels.is_inner[n] && circle[t] != circle[n])
+        expected.push_back({sorted_edge({circle[t], circle[n]}), sorted_edge(d.edge(t, i))});
     }
   }
   std::ranges::sort(expected);
@@ -97,7 +152,7 @@ void expect_axis_by_definition(const Result& r) {
   ASSERT_EQ(axis.edges.size(), axis.contacts.size());
   for (std::size_t e = 0; e < axis.edges.size(); ++e) {
     const auto [a, b] = axis.edges[e];
-    found.push_back({sorted_edge({axis.triangles.at(a), axis.triangles.at(b)}), sorted_edge(axis.contacts[e])});
+    found.push_back({sorted_edge({balls.at(a), balls.at(b)}), sorted_edge(axis.contacts[e])});
   }
   std::ranges::sort(found);
   EXPECT_EQ(found, expected);
@@ -218,6 +273,8 @@ void expect_measures_by_definition(const Result& r) {
   const std::vector<double> edge_angle = angle_of_edges(d, r.axis, progress);
   const std::vector<double> ball_lambda = lambda_of_balls(d, r.axis, progress);
   const std::vector<double> ball_angle = angle_of_balls(d, r.axis, progress);
+  const std::vector<double> slopes = slope_of_balls(d, r.axis, progress);
+  ASSERT_EQ(slopes.size(), r.axis.centers.size());
   ASSERT_EQ(edge_lambda.size(), r.axis.edges.size());
   ASSERT_EQ(edge_angle.size(), r.axis.edges.size());
   ASSERT_EQ(ball_lambda.size(), r.axis.centers.size());
@@ -252,11 +309,14 @@ void expect_measures_by_definition(const Result& r) {
     EXPECT_NEAR(edge_angle[e], best, 1e-4) << "edge " << e;
   }
   for (std::size_t b = 0; b < r.axis.centers.size(); ++b) {
-    const Triangle& t = d.triangles[r.axis.triangles[b]];
-    const std::array<Point_2, 3> corners{d.points[t[0]], d.points[t[1]], d.points[t[2]]};
-    const double expected = smallest_enclosing_radius(corners);
+    std::vector<Point_2> contacts;
+    for (const int contact : contacts_of_ball(d, r.axis, static_cast<int>(b))) contacts.push_back(d.points[contact]);
+    const double expected = smallest_enclosing_radius(contacts);
     EXPECT_NEAR(ball_lambda[b], expected, 1e-9 * expected) << "ball " << b;
-    EXPECT_NEAR(ball_angle[b], largest_angle(r.axis.centers[b], corners), 1e-5) << "ball " << b;
+    const double angle = largest_angle(r.axis.centers[b], contacts);
+    EXPECT_NEAR(ball_angle[b], angle, 1e-5) << "ball " << b;
+    const bool has_center_within = expected > (1 - 1e-12) * r.axis.radii[b];
+    EXPECT_NEAR(slopes[b], has_center_within ? 0 : std::cos(angle * std::numbers::pi / 360), 1e-5) << "ball " << b;
   }
 }
 
@@ -268,6 +328,38 @@ TEST(Medial_measures_2, equal_the_definitions) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
     expect_measures_by_definition(compute(noisy_curve(150, 0.05, seed)));
+  }
+}
+
+TEST(Medial_measures_2, equal_the_definitions_of_cocircular_samples) {
+  expect_measures_by_definition(compute(grid_points(7, 5)));
+  expect_measures_by_definition(compute(rectangle_samples({16, 9}, 1)));
+  expect_measures_by_definition(compute(rectangle_samples({16, 9}, 0.7)));
+  std::vector<Point_2> arc;
+  for (const Point_2& p : cocircular_points())
+    if (arc.size() < 24) arc.push_back(p);
+  expect_measures_by_definition(compute(arc));
+  // The center is not among these.
+  std::erase_if(arc, [](const Point_2& p) { return p.y < 0; });
+  expect_measures_by_definition(compute(arc));
+}
+
+TEST(Medial_axis_2, has_one_ball_where_samples_are_cocircular) {
+  const Result square = compute(std::vector<Point_2>{{0, 0}, {3, 0}, {3, 3}, {0, 3}});
+  ASSERT_EQ(square.axis.centers, (std::vector<Point_2>{{1.5, 1.5}}));
+  EXPECT_TRUE(square.axis.edges.empty());
+  EXPECT_EQ(contacts_of_ball(square.triangulation, square.axis, 0), (std::vector{0, 1, 2, 3}));
+  const Result circle = compute(cocircular_points());
+  ASSERT_EQ(circle.axis.centers.size(), 1U);
+  EXPECT_NEAR(distance(circle.axis.centers[0], {0, 0}), 0, 1e-9);
+  EXPECT_EQ(contacts_of_ball(circle.triangulation, circle.axis, 0).size(), cocircular_points().size());
+  EXPECT_TRUE(circle.axis.edges.empty());
+  // The axis of a rectangle whose sides are sampled evenly: one disk for every step inwards or along.
+  const Result rectangle = compute(rectangle_samples({12, 8}, 1));
+  EXPECT_EQ(betti(rectangle.axis), (std::array{1, 0}));
+  for (std::size_t e = 0; e < rectangle.axis.edges.size(); ++e) {
+    const auto [a, b] = rectangle.axis.edges[e];
+    EXPECT_GT(distance(rectangle.axis.centers[a], rectangle.axis.centers[b]), 0.1) << "edge " << e;
   }
 }
 

@@ -22,7 +22,7 @@ struct Disks {
 
 Scale_importance compute(const Disks& disks, int threads = 1) {
   Progress progress({}, {}, threads);
-  return scale_importance(disks.centers, disks.radii, 0, progress);
+  return scale_importance(disks.centers, disks.radii, {}, progress);
 }
 
 std::vector<double> importance(const Disks& disks) { return compute(disks).values; }
@@ -86,14 +86,22 @@ Disks random_disks(int count, std::uint64_t seed) {
   return disks;
 }
 
-Disks medial_balls(const std::vector<Point_2>& samples) {
+struct Medial_balls {
+  Disks disks;
+  std::vector<double> slopes;
+};
+
+Medial_balls medial_balls_with_slopes(const std::vector<Point_2>& samples) {
   Progress progress;
   const Delaunay_2 d = delaunay(samples, progress);
   const Crust_2 crust = one_step_crust(d, progress);
   const Labels_2 labels = flood_labels(d, crust, progress);
   Medial_axis_2 axis = medial_axis(d, voronoi(d, progress), labels, progress);
-  return {std::move(axis.centers), std::move(axis.radii)};
+  std::vector<double> slopes = slope_of_balls(d, axis, progress);
+  return {{std::move(axis.centers), std::move(axis.radii)}, std::move(slopes)};
 }
+
+Disks medial_balls(const std::vector<Point_2>& samples) { return medial_balls_with_slopes(samples).disks; }
 
 TEST(Scale_importance, small_examples) {
   EXPECT_TRUE(importance({}).empty());
@@ -218,7 +226,7 @@ void expect_update_equals_full_computation(Disks disks, std::uint64_t seed) {
   for (int step = 0; step < 12; ++step) {
     const double lost = step % 4 == 3 ? 0.5 : 0.01 * random.index(4);
     Exchange next = exchange(disks, lost, random.index(4), random.chance(0.5), random.next());
-    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, 0, progress);
+    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, {}, progress);
     disks = std::move(next.disks);
     ASSERT_EQ(current.values, compute(disks).values) << "step " << step;
     expect_witnesses(disks, current);
@@ -256,9 +264,9 @@ TEST(Update_scale_importance, when_the_largest_goes_or_comes) {
     more.push_back(i < largest ? i : i == largest ? -1 : i - 1);
   }
   const Scale_importance after =
-      update_scale_importance(compute(all), fewer, without.centers, without.radii, 0, progress);
+      update_scale_importance(compute(all), fewer, without.centers, without.radii, {}, progress);
   EXPECT_EQ(after.values, compute(without).values);
-  EXPECT_EQ(update_scale_importance(after, more, all.centers, all.radii, 0, progress).values, compute(all).values);
+  EXPECT_EQ(update_scale_importance(after, more, all.centers, all.radii, {}, progress).values, compute(all).values);
 }
 
 /// Of this process: what others do on the machine does not count.
@@ -305,35 +313,62 @@ TEST(Scale_importance, of_radii_that_differ_by_rounding) {
   EXPECT_LT(seconds_for(equal), 2);
 }
 
-TEST(Scale_importance, is_raised_to_the_least_value) {
+/// Every quotient raised to the bound of the header, within a billionth.
+std::vector<double> raised_by_double_loop(const Disks& disks, const std::vector<double>& slopes) {
+  std::vector<double> result(disks.radii.size(), infinity);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < result.size(); ++j) {
+      if (!(disks.radii[j] > disks.radii[i])) continue;
+      const double d = distance(disks.centers[i], disks.centers[j]);
+      const double bound = std::max(1.0, 1 / (slopes[i] + d / (2 * disks.radii[i])));
+      result[i] = std::min(result[i], std::max(bound, d / (disks.radii[j] - disks.radii[i])));
+    }
+  }
+  return result;
+}
+
+TEST(Scale_importance, is_raised_to_what_slopes_allow) {
   Progress progress;
-  Disks disks = random_disks(300, 21);
-  const std::vector<double> all = importance(disks);
-  const auto raised = [](std::vector<double> values) {
-    for (double& value : values) value = std::max(value, 2.0);
-    return values;
-  };
-  Scale_importance current = scale_importance(disks.centers, disks.radii, 2, progress);
-  EXPECT_NE(current.values, all);
-  EXPECT_EQ(current.values, raised(all));
   Random random(22);
+  Disks disks = random_disks(300, 21);
+  std::vector<double> slopes;
+  for (int i = 0; i < 300; ++i) slopes.push_back(random.chance(0.1) ? 1 : 0.1 + 0.9 * random.unit());
+  const auto expect_all = [&](const Scale_importance& found) {
+    const std::vector<double> expected = raised_by_double_loop(disks, slopes);
+    ASSERT_EQ(found.values.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (expected[i] == infinity) {
+        ASSERT_EQ(found.values[i], infinity) << "disk " << i;
+      } else {
+        ASSERT_NEAR(found.values[i], expected[i], 1e-8 * expected[i]) << "disk " << i;
+      }
+    }
+  };
+  Scale_importance current = scale_importance(disks.centers, disks.radii, slopes, progress);
+  EXPECT_NE(current.values, importance(disks));
+  expect_all(current);
   for (int step = 0; step < 10; ++step) {
     Exchange next = exchange(disks, 0.01, 3, true, random.next());
-    current = update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, 2, progress);
+    std::vector<double> next_slopes;
+    for (const int old : next.old_index) next_slopes.push_back(old < 0 ? random.unit() : slopes[old]);
+    current =
+        update_scale_importance(current, next.old_index, next.disks.centers, next.disks.radii, next_slopes, progress);
     disks = std::move(next.disks);
-    ASSERT_EQ(current.values, raised(importance(disks))) << "step " << step;
+    slopes = std::move(next_slopes);
+    expect_all(current);
+    ASSERT_EQ(current.values, scale_importance(disks.centers, disks.radii, slopes, progress).values) << "step " << step;
   }
 }
 
 TEST(Scale_importance, of_samples_on_one_circle) {
-  Progress progress;
   // All disks are the same but for rounding.
-  const Disks disks = medial_balls(ellipse(1, 1, 100000));
+  Progress progress;
+  const auto [disks, slopes] = medial_balls_with_slopes(ellipse(1, 1, 100000));
   ASSERT_GT(disks.radii.size(), 90000U);
   const std::clock_t start = std::clock();
-  const Scale_importance result = scale_importance(disks.centers, disks.radii, 1, progress);
+  const Scale_importance result = scale_importance(disks.centers, disks.radii, slopes, progress);
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);
-  EXPECT_GE(*std::ranges::min_element(result.values), 1);
+  for (std::size_t i = 0; i < slopes.size(); ++i) ASSERT_GE(result.values[i], (1 - 1e-6) / (slopes[i] + 1e-6)) << i;
 }
 
 TEST(Scale_importance, can_be_cancelled) {
@@ -341,7 +376,7 @@ TEST(Scale_importance, can_be_cancelled) {
   source.request_stop();
   Progress progress(source.get_token());
   const Disks disks = random_disks(10000, 8);
-  EXPECT_THROW(scale_importance(disks.centers, disks.radii, 0, progress), Cancelled);
+  EXPECT_THROW(scale_importance(disks.centers, disks.radii, {}, progress), Cancelled);
 }
 
 }  // namespace

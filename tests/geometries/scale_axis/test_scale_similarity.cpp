@@ -106,6 +106,34 @@ testing::AssertionResult are_equal(const Parts& found, const Parts& expected, do
   return testing::AssertionSuccess();
 }
 
+double distance_to_segment(const Point_2& point, const Point_2& a, const Point_2& b) {
+  const double square = squared_distance(a, b);
+  const double along = (point.x - a.x) * (b.x - a.x) + (point.y - a.y) * (b.y - a.y);
+  const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+  return distance(point, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+}
+
+/// As a set, without what lies between vertices that are one but for rounding.
+testing::AssertionResult is_within(const Union_medial_axis_2& axis, const Union_medial_axis_2& other,
+                                   const Similarity& similarity, double tolerance) {
+  constexpr double negligible_angle = 1e-3;
+  const std::vector<double> angles = angle_of_edges(axis);
+  for (std::size_t e = 0; e < axis.edges.size(); ++e) {
+    if (angles[e] < negligible_angle) continue;
+    const Point_2& a = axis.centers[axis.edges[e][0]];
+    const Point_2& b = axis.centers[axis.edges[e][1]];
+    for (const double t : {0.0, 0.3, 0.5, 0.9, 1.0}) {
+      const Point_2 point = similarity.move({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& [c, d] : other.edges)
+        nearest = std::min(nearest, distance_to_segment(point, other.centers[c], other.centers[d]));
+      if (!(nearest <= tolerance * similarity.factor))
+        return failure() << "an edge of " << angles[e] << " degrees is " << nearest << " off";
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
 Parts scale_axis_of(const std::vector<Disk_2>& disks, double scale, double min_angle) {
   return parts_of(scale_stages(std::make_shared<const Balls_2>(given_balls(disks)), scale)
                       .scale_axis(min_angle, sampling_min_angle));
@@ -113,26 +141,56 @@ Parts scale_axis_of(const std::vector<Disk_2>& disks, double scale, double min_a
 
 const std::vector<std::string> general_families{"sparse", "dense", "nested", "equal radii", "ring", "tiny in large"};
 
-testing::AssertionResult moves_with_its_disks(const std::shared_ptr<const Balls_2>& balls, double min_angle) {
+std::shared_ptr<const Balls_2> with_short_numbers(const Balls_2& balls) {
   std::vector<Disk_2> disks;
-  for (std::size_t b = 0; b < balls->size(); ++b) disks.push_back({balls->centers[b], balls->radii[b]});
-  disks = short_numbers(disks);
-  // Moves must lose nothing.
-  for (const Disk_2& disk : disks)
-    if (std::abs(disk.center.x) > 1e6 || disk.radius > 1e6) return testing::AssertionSuccess();
-  for (const double scale : {1.0, 1.25}) {
-    const Parts original = scale_axis_of(disks, scale, min_angle);
-    for (const Similarity& similarity : similarities()) {
+  for (std::size_t b = 0; b < balls.size(); ++b) disks.push_back({balls.centers[b], balls.radii[b]});
+  return std::make_shared<const Balls_2>(given_balls(short_numbers(disks)));
+}
+
+std::shared_ptr<const Balls_2> moved_balls(const Balls_2& balls, const Similarity& similarity) {
+  Balls_2 result;
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    result.centers.push_back(similarity.move(balls.centers[b]));
+    result.radii.push_back(balls.radii[b] * similarity.factor);
+  }
+  return std::make_shared<const Balls_2>(result);
+}
+
+/// Disks in general position.
+testing::AssertionResult moves_with_its_disks(const Balls_2& balls) {
+  const auto disks = with_short_numbers(balls);
+  const Scale_stages stages = scale_stages(disks, 1);
+  for (const Similarity& similarity : similarities()) {
+    const Scale_stages others = scale_stages(moved_balls(*disks, similarity), 1);
+    for (const double scale : {1.0, 1.25}) {
+      Parts expected = parts_of(at_scale(stages, scale).scale_axis(30, sampling_min_angle));
       const auto move = [&](Disk_2& disk) { disk = {similarity.move(disk.center), disk.radius * similarity.factor}; };
-      std::vector<Disk_2> others = disks;
-      std::ranges::for_each(others, move);
-      Parts expected = original;
       std::ranges::for_each(expected.disks, move);
       for (auto& [a, b] : expected.edges) {
         move(a);
         move(b);
       }
-      if (auto result = are_equal(scale_axis_of(others, scale, min_angle), expected, 1e-8 * similarity.factor); !result)
+      const Parts found = parts_of(at_scale(others, scale).scale_axis(30, sampling_min_angle));
+      if (auto result = are_equal(found, expected, 1e-8 * similarity.factor); !result)
+        return result << ", scale " << scale << ", " << similarity.name;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+/// Disks in special position: once they have grown, rounding decides which edges are complete, but not where edges
+/// are.
+testing::AssertionResult axis_moves_with_its_disks(const std::shared_ptr<const Balls_2>& balls) {
+  const auto disks = with_short_numbers(*balls);
+  // Moves must lose nothing.
+  for (std::size_t b = 0; b < disks->size(); ++b)
+    if (std::abs(disks->centers[b].x) > 1e6 || disks->radii[b] > 1e6) return testing::AssertionSuccess();
+  const Scale_stages stages = scale_stages(disks, 1);
+  for (const Similarity& similarity : similarities()) {
+    const Scale_stages others = scale_stages(moved_balls(*disks, similarity), 1);
+    for (const double scale : {1.0, 1.25, 2.0}) {
+      const Scale_stages grown = at_scale(stages, scale);
+      if (auto result = is_within(grown.grown_axis, at_scale(others, scale).grown_axis, similarity, 1e-6); !result)
         return result << ", scale " << scale << ", " << similarity.name;
     }
   }
@@ -140,38 +198,52 @@ testing::AssertionResult moves_with_its_disks(const std::shared_ptr<const Balls_
 }
 
 TEST(Scale_axis_2, moves_with_its_disks) {
-  expect_of_given_balls(repetitions(3), [](const auto& balls) { return moves_with_its_disks(balls, 0); });
+  for (const Disk_family& family : disk_families()) {
+    if (std::ranges::count(general_families, family.name) == 0) continue;
+    for (std::uint64_t seed = 0; seed < repetitions(5); ++seed) {
+      SCOPED_TRACE(family.name + " " + std::to_string(seed));
+      EXPECT_TRUE(moves_with_its_disks(given_balls(family.make(seed))));
+    }
+  }
+  expect_of_given_balls(repetitions(2), axis_moves_with_its_disks);
 }
 
-/// The disks in another order.
-testing::AssertionResult is_the_same_in_another_order(const std::shared_ptr<const Balls_2>& balls, double min_angle) {
-  const int count = static_cast<int>(balls->size());
-  const auto others =
-      std::make_shared<const Balls_2>(subset(*balls, random_permutation(count, static_cast<std::uint64_t>(count))));
+std::shared_ptr<const Balls_2> in_another_order(const Balls_2& balls) {
+  const int count = static_cast<int>(balls.size());
+  return std::make_shared<const Balls_2>(subset(balls, random_permutation(count, static_cast<std::uint64_t>(count))));
+}
+
+testing::AssertionResult axis_is_the_same_in_another_order(const std::shared_ptr<const Balls_2>& balls) {
   const Scale_stages stages = scale_stages(balls, 1);
-  const Scale_stages other_stages = scale_stages(others, 1);
+  const Scale_stages others = scale_stages(in_another_order(*balls), 1);
+  const Similarity none{"", [](const Point_2& p) { return p; }, 1};
   for (const double scale : {1.0, 1.25, 2.0}) {
-    const Scale_stages of_balls = at_scale(stages, scale);
-    const Parts expected = parts_of(of_balls.scale_axis(min_angle, sampling_min_angle));
-    const Parts found = parts_of(at_scale(other_stages, scale).scale_axis(min_angle, sampling_min_angle));
-    if (auto result = are_equal(found, expected, 1e-9 * of_balls.extent()); !result)
+    const Scale_stages grown = at_scale(stages, scale);
+    if (auto result = is_within(grown.grown_axis, at_scale(others, scale).grown_axis, none, 1e-6 * grown.extent());
+        !result)
       return result << ", scale " << scale;
   }
   return testing::AssertionSuccess();
 }
 
 TEST(Scale_axis_2, does_not_depend_on_the_order_of_the_disks) {
-  expect_of_given_balls(repetitions(6), [](const auto& balls) { return is_the_same_in_another_order(balls, 0); });
-  expect_of_circumscribed_balls(repetitions(2),
-                                [](const auto& balls) { return is_the_same_in_another_order(balls, 0); });
   for (const Disk_family& family : disk_families()) {
     if (std::ranges::count(general_families, family.name) == 0) continue;
-    for (std::uint64_t seed = 0; seed < repetitions(6); ++seed) {
+    for (std::uint64_t seed = 0; seed < repetitions(8); ++seed) {
       SCOPED_TRACE(family.name + " " + std::to_string(seed));
-      const auto balls = std::make_shared<const Balls_2>(given_balls(family.make(seed)));
-      EXPECT_TRUE(is_the_same_in_another_order(balls, 30));
+      const Balls_2 balls = given_balls(family.make(seed));
+      const Scale_stages stages = scale_stages(std::make_shared<const Balls_2>(balls), 1);
+      const Scale_stages others = scale_stages(in_another_order(balls), 1);
+      for (const double scale : {1.0, 1.25, 2.0}) {
+        const Scale_stages grown = at_scale(stages, scale);
+        EXPECT_TRUE(are_equal(parts_of(at_scale(others, scale).scale_axis(30, sampling_min_angle)),
+                              parts_of(grown.scale_axis(30, sampling_min_angle)), 1e-9 * grown.extent()))
+            << scale;
+      }
     }
   }
+  expect_of_given_balls(repetitions(4), axis_is_the_same_in_another_order);
+  expect_of_circumscribed_balls(repetitions(2), axis_is_the_same_in_another_order);
 }
 
 TEST(Scale_axis_2, is_the_same_to_the_last_digit_when_scaled_by_a_power_of_two) {
