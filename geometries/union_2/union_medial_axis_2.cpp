@@ -234,6 +234,10 @@ class Axis_builder {
     for (int v = 0; v < static_cast<int>(delaunay_.site.size()); ++v)
       if (delaunay_.site[v] == v)
         for (const int ball : sources.of(v)) ++vertices_of_ball[ball];
+    const auto pass_through = [&](int node, int vertex) {
+      return std::ranges::binary_search(sources.of(vertex), axis_.balls[node]);
+    };
+    const std::vector<bool> touches_another = disks_that_touch();
     const int count = static_cast<int>(delaunay_.triangles.size());
     for (int t = 0; t < count; ++t) {
       if (t % 8192 == 0) progress_.check();
@@ -250,15 +254,29 @@ class Axis_builder {
         if (a == b) continue;
         const Pairs::Answer pair = pairs_.find(p, q);
         if (a >= 0 && b >= 0) {
-          const bool is_singular = pair.is_singular && axis_.balls[a] >= 0 && axis_.balls[b] >= 0;
+          const bool is_singular =
+              pair.is_singular && pass_through(a, p) && pass_through(a, q) && pass_through(b, p) && pass_through(b, q);
           if (pair.chords == 0) add_edge(a, b, p, q, is_singular ? Axis_edge_kind::singular : Axis_edge_kind::complete);
-        } else if (pair.chords == 1 && vertices_of_ball[pair.ball] == 2 && (pair.is_singular || !complete_only_)) {
+        } else if (pair.chords == 1 && vertices_of_ball[pair.ball] == 2) {
           // Disks with more vertices of the union have their center at a Voronoi vertex.
-          add_edge(std::max(a, b), node_of_ball(pair.ball), p, q,
-                   pair.is_singular ? Axis_edge_kind::singular : Axis_edge_kind::incomplete);
+          const bool is_kept = pair.is_singular || touches_another[pair.ball];
+          if (is_kept || !complete_only_)
+            add_edge(std::max(a, b), node_of_ball(pair.ball), p, q,
+                     is_kept ? Axis_edge_kind::singular : Axis_edge_kind::incomplete);
         }
       }
     }
+  }
+
+  /// Disks at the ends of a singular edge whose vertices are one.
+  std::vector<bool> disks_that_touch() const {
+    std::vector<bool> result(boundary_.radii.size(), false);
+    for (std::size_t e = 0; e < dual_.edges.size(); ++e) {
+      const auto [p, q] = boundary_.vertices_of_edge[e];
+      if (dual_.edges[e].kind == Dual_kind::singular && delaunay_.site[p] == delaunay_.site[q])
+        result[dual_.edges[e].a] = result[dual_.edges[e].b] = true;
+    }
+    return result;
   }
 
   /// Two disks that are a component by themselves: the two arcs between their crossings have one chord.
