@@ -34,7 +34,7 @@ Betti betti_of_graph(std::size_t vertices, const std::vector<std::array<int, 2>>
 Betti betti(const Union_boundary_2& boundary);
 std::string to_text(const Betti& betti);
 
-/// The grown disk of the medial disks.
+/// The medial disks with radii times the scale.
 std::shared_ptr<const Balls_2> grown_medial_disks(const Union_medial_axis_2& axis, double scale);
 /// Betti numbers of the union of disks, by their dual complex.
 Betti betti_of_union(const std::shared_ptr<const Balls_2>& balls);

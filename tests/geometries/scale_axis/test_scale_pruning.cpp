@@ -74,7 +74,7 @@ testing::AssertionResult prunes_by_definition(const std::shared_ptr<const Balls_
       std::multiset<Placed_edge> expected;
       for (const Graph_edge& edge : pruned(complete, min_angle))
         expected.insert(placed(stages.grown_axis.centers[edge.ends[0]], stages.grown_axis.centers[edge.ends[1]]));
-      // Sampling at 0 degrees cuts only where disks at the ends of an edge are apart: join the pieces by not growing.
+      // Sampling at 0 degrees cuts only edges whose disks, shrunk, are apart.
       const Scale_axis_2 axis = stages.scale_axis(min_angle, 0);
       std::multiset<Placed_edge> found;
       for (const auto& [a, b] : axis.edges) found.insert(placed(axis.centers[a], axis.centers[b]));
