@@ -99,7 +99,7 @@ class Filtration_shapes : public testing::Test {
   std::shared_ptr<const Primitive_set> layer(const std::string& id) {
     const auto outcome = graph_.layer(id, progress_);
     EXPECT_TRUE(outcome.value) << id << ": " << outcome.reason;
-    return outcome.value;
+    return outcome.value ? outcome.value : std::make_shared<const Primitive_set>();
   }
   void set(std::string_view id, Setting_value value) {
     graph_.set_settings(graph_.settings().with(id, std::move(value)));
@@ -130,6 +130,15 @@ class Filtration_shapes : public testing::Test {
     return result;
   }
 
+  /// The boundary of the union of the disks that kept_disks found last.
+  std::multiset<Described_arc> arcs_of_kept() {
+    const auto all = graph_.structure(inner_voronoi_balls_2_key, progress_).value;
+    const Union_boundary_2 boundary =
+        union_boundary(std::make_shared<const Balls_2>(subset(all->balls, kept_)), 0, progress_);
+    for (const int sample : boundary.samples) all_are_samples_ = all_are_samples_ && sample >= 0;
+    return arcs_of(boundary_primitives(boundary));
+  }
+
   void expect_shapes() {
     const auto all = graph_.structure(inner_voronoi_balls_2_key, progress_).value;
     ASSERT_TRUE(all);
@@ -145,12 +154,16 @@ class Filtration_shapes : public testing::Test {
           count = disks.size();
           const auto shape = layer(name + "-medial-axis-shape");
           expect_boundary_of_union(*shape, disks);
-          Union_boundary_2 expected =
-              union_boundary(std::make_shared<const Balls_2>(subset(all->balls, kept_)), 0, progress_);
-          EXPECT_EQ(arcs_of(*shape), arcs_of(boundary_primitives(expected)));
-          for (const int sample : expected.samples) all_are_samples_ = all_are_samples_ && sample >= 0;
+          EXPECT_EQ(arcs_of(*shape), arcs_of_kept());
         }
         least_kept_ = std::min(least_kept_, count);
+        // A disk of exactly the limit is kept.
+        const std::string cut_value = preserves ? name + "-monotone" : name;
+        std::vector<double> values = layer(name + "-medial-axis-disks")->find_values(cut_value)->data;
+        std::ranges::sort(values);
+        set(name + "-limit", values[values.size() / 3]);
+        kept_disks(name);
+        EXPECT_EQ(arcs_of(*layer(name + "-medial-axis-shape")), arcs_of_kept());
       }
     }
   }

@@ -31,7 +31,7 @@ class Scale_graph : public testing::Test {
   std::shared_ptr<const Primitive_set> layer(const std::string& id) {
     const auto outcome = graph_.layer(id, progress_);
     EXPECT_TRUE(outcome.value) << id << ": " << outcome.reason;
-    return outcome.value;
+    return outcome.value ? outcome.value : std::make_shared<const Primitive_set>();
   }
   std::string reason(const std::string& id) {
     const auto outcome = graph_.layer(id, progress_);
