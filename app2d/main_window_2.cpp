@@ -20,6 +20,7 @@
 #include "app2d/overlay_2.h"
 #include "app2d/popovers_2.h"
 #include "core/formats/number.h"
+#include "geometries/dual_2/module.h"
 #include "layers/panel_paint.h"
 
 // The macro needs the global namespace.
@@ -317,6 +318,12 @@ void Main_window_2::show_document(const Document_change& change) {
   if (change.settings) {
     layer_panel_->set_settings(document_.settings());
     settings_panel_->set_settings(document_.settings());
+  }
+  if (change.inputs) {
+    // Radii grow by about this part of the diagonal at the end of the slider.
+    constexpr double part = 0.05;
+    const double growth = part * bounding_box(document_.inputs()).diagonal();
+    if (growth > 0) settings_panel_->set_slider_maximum(std::string(alpha_setting.id), growth * growth);
   }
   if (change.inputs || change.layers) {
     show_overlay();

@@ -103,7 +103,7 @@ void add_settings(Registry& registry) {
   {
     Setting_spec setting;
     setting.id = scale_axis_min_angle_setting.id;
-    setting.label = "Scale axis: least contact angle";
+    setting.label = "Least contact angle";
     setting.help =
         "Branches of the grown medial axis that end with a smaller contact angle are taken for artefacts of the arcs "
         "of "
@@ -119,7 +119,7 @@ void add_settings(Registry& registry) {
   {
     Setting_spec setting;
     setting.id = sampling_min_angle_setting.id;
-    setting.label = "Scale axis: sampling angle";
+    setting.label = "Sampling angle";
     setting.help =
         "Edges of the scale axis are cut until neighbouring disks, shrunk back, meet at no less than this angle. "
         "Larger: more disks, a smoother shape. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.2]";
