@@ -120,9 +120,14 @@ double distance_to_boundary(const Union_boundary_2& boundary, const Point_2& poi
       const Point_2& p = boundary.vertices[arc.from];
       const Point_2& q = boundary.vertices[arc.to];
       nearest = std::min({nearest, distance(point, p), distance(point, q)});
-      const Point_2 opposite{2 * center.x - p.x, 2 * center.y - p.y};
-      is_beside_arc = is_short(arc) ? !has_long_arc[arc.ball] && !is_covered(boundary, opposite)
-                                    : point == center || sweep(center, p, point) <= sweep(center, p, q);
+      if (is_short(arc)) {
+        const Point_2 reach{p.x - center.x, p.y - center.y};
+        is_beside_arc = !has_long_arc[arc.ball] && !is_covered(boundary, {center.x - reach.x, center.y - reach.y}) &&
+                        !is_covered(boundary, {center.x - reach.y, center.y + reach.x}) &&
+                        !is_covered(boundary, {center.x + reach.y, center.y - reach.x});
+      } else {
+        is_beside_arc = point == center || sweep(center, p, point) <= sweep(center, p, q);
+      }
     }
     if (is_beside_arc) nearest = std::min(nearest, std::abs(distance(point, center) - boundary.radii[arc.ball]));
   }

@@ -151,7 +151,10 @@ void expect_corollary(const std::shared_ptr<const Balls_2>& balls, Seen& seen) {
   }
   EXPECT_EQ(betti_of_scale_axis(stages, critical * (1 - step)), original);
   const Betti after = betti_at(stages.axis, critical * (1 + step));
-  EXPECT_NE(after, original) << critical;
+  // A second event right after it may undo the first.
+  if (values.size() == 1 || values[1] > critical * (1 + step)) {
+    EXPECT_NE(after, original) << critical;
+  }
   EXPECT_EQ(betti_of_scale_axis(stages, critical * (1 + step)), after);
   if (after[0] < original[0]) ++seen.components;
   if (after[1] < original[1]) ++seen.holes_filled;
