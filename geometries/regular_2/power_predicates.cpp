@@ -55,9 +55,11 @@ Circle<Number> circumcircle(const Point_2& p, const Point_2& q, const Point_2& r
   return {px + cx, py + cy, square_of(cx) + square_of(cy)};
 }
 
-/// To the last of the digits that a Double_double holds, with an error that covers the rest.
+/// To the last of the digits that a Double_double holds, with an error that covers the rest; unknown beyond the range
+/// of doubles.
 Double_double nearest(const CGAL::Exact_rational& number) {
   const double high = CGAL::to_double(number);
+  if (!std::isfinite(high)) return Double_double::about(high, 0);
   const double low = CGAL::to_double(CGAL::Exact_rational(number - CGAL::Exact_rational(high)));
   return Double_double::about(high, low);
 }
