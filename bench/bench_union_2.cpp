@@ -91,6 +91,8 @@ void bench_medial_axis(Table& table, int threads) {
   table.row("10^6 Voronoi disks: medial axis of the union / CGAL" + on, large.medial_axis / large.baseline(), "x");
   table.row("10^5 to 10^6: growth exponent of the medial axis of the union" + on,
             std::log10(large.medial_axis / small.medial_axis), "", 1.15);
+  table.row("10^5 to 10^6: growth exponent of CGAL's two triangulations" + on,
+            std::log10(large.baseline() / small.baseline()), "");
 }
 
 /// The example sampled to about `count` points.
