@@ -152,14 +152,20 @@ bool Power_predicates::touch_common_sample(std::initializer_list<int> disks) con
   return balls_.is_circumscribed() && have_common_contact(disks);
 }
 
-template <class Function, class... Disks>
-CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) const {
+template <class Function, class Is_zero, class... Disks>
+CGAL::Sign Power_predicates::decide_unless(const Is_zero& is_zero, const Function& function, Disks... disks) const {
   if (const auto sign = function(rounded(disks)...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
+  if (is_zero()) return CGAL::ZERO;
   {
     const Nearest_rounding rounding(CGAL_FE_TONEAREST);
     if (const auto sign = function(precise_[disks]...); CGAL::is_certain(sign)) return CGAL::get_certain(sign);
   }
   return function(Lifted<Rational>(exact(disks))...);
+}
+
+template <class Function, class... Disks>
+CGAL::Sign Power_predicates::decide(const Function& function, Disks... disks) const {
+  return decide_unless([] { return false; }, function, disks...);
 }
 
 Power_predicates::Precise_point Power_predicates::crossing(int a, int b, double alpha, bool on_left) const {
@@ -241,8 +247,10 @@ CGAL::Orientation Power_predicates::orientation(int a, int b, const Point_2& poi
 }
 
 CGAL::Oriented_side Power_predicates::power_side(int a, int b, int c, int d) const {
-  if (have_common_contact({a, b, c, d})) return CGAL::ON_ORIENTED_BOUNDARY;
-  return decide(
+  return decide_unless(
+      [&] {
+        return have_common_contact({a, b, c, d});
+      },
       [](const auto& p, const auto& q, const auto& r, const auto& t) {
         using Number = typename std::decay_t<decltype(p)>::Number;
         const Number px = p.x - t.x;

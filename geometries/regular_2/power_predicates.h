@@ -103,7 +103,10 @@ class Power_predicates {
   bool have_common_contact(std::initializer_list<int> disks) const;
   bool touch_common_sample(std::initializer_list<int> disks) const;
   Rounded rounded(int ball) const;
-  /// The sign that `function` gives, with the disks in the least precision that is certain.
+  /// The sign that `function` gives, with the disks in the least precision that is certain. Where intervals are not,
+  /// and `is_zero` says so, it is zero.
+  template <class Function, class Is_zero, class... Disks>
+  CGAL::Sign decide_unless(const Is_zero& is_zero, const Function& function, Disks... disks) const;
   template <class Function, class... Disks>
   CGAL::Sign decide(const Function& function, Disks... disks) const;
 
