@@ -100,7 +100,7 @@ void register_dual_2(Registry& registry) {
         "Added to the squared radius of every disk before their union is taken. 0: the disks as they are; larger: they "
         "grow as in the alpha filtration; negative: they shrink, and vanish. [H. Edelsbrunner: The union of balls and "
         "its dual shape, 1995]";
-    setting.unit = "squared units of the input";
+    setting.unit = "squared units";
     setting.default_value = 0.0;
     setting.tags = {"union", "dual"};
     registry.add_setting(std::move(setting));
