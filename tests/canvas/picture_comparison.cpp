@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture_comparison.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <algorithm>
 #include <array>
 
@@ -53,15 +55,16 @@ testing::AssertionResult same_picture(const QImage& out, const QImage& expected,
   }
   const double part = static_cast<double>(wrong) / (static_cast<double>(out.width()) * out.height());
   const bool keep = qEnvironmentVariableIsSet("MESECINA_KEEP_PICTURES");
+  const QString stem = QDir(QCoreApplication::applicationDirPath()).filePath(QString::fromStdString(name));
   if (part > allowed || keep) {
-    const QString stem = QString::fromStdString(name);
     out.save(stem + ".out.png");
     expected.save(stem + ".expected.png");
     difference.save(stem + ".diff.png");
   }
   if (part <= allowed) return testing::AssertionSuccess();
   return testing::AssertionFailure() << wrong << " pixels (" << 100 * part << " %) of " << name
-                                     << " differ, the worst by " << worst << "; see " << name << ".diff.png";
+                                     << " differ, the worst by " << worst << "; see " << stem.toStdString()
+                                     << ".diff.png";
 }
 
 }  // namespace mesecina

@@ -10,7 +10,7 @@ namespace mesecina {
 
 /// Whether two pictures show the same up to antialiasing: every pixel of one must lie, in each channel and within
 /// `tolerance`, among the pixels of the other around the same place; `allowed` is the part of the pixels that need not.
-/// On failure writes NAME.out.png, NAME.expected.png and NAME.diff.png into the working directory.
+/// On failure writes NAME.out.png, NAME.expected.png and NAME.diff.png beside the test program.
 testing::AssertionResult same_picture(const QImage& out, const QImage& expected, const std::string& name,
                                       int tolerance = 40, double allowed = 0.0005);
 
