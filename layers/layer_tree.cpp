@@ -49,7 +49,10 @@ Layer_tree::Layer_tree(Layer_model* model, QWidget* parent)
   });
   timer_.setInterval(animation_interval);
   connect(&timer_, &QTimer::timeout, this, &Layer_tree::advance_computing_rows);
-  connect(model, &QAbstractItemModel::layoutChanged, this, &Layer_tree::apply_filter);
+  connect(model, &QAbstractItemModel::layoutChanged, this, [this] {
+    if (!has_stages_) close_unseen_stages();
+    apply_filter();
+  });
   connect(model, &QAbstractItemModel::dataChanged, this, [this] {
     if (is_visible_only_) apply_filter();
     if (!timer_.isActive() && model_->is_any_computing()) timer_.start();
@@ -68,6 +71,14 @@ bool Layer_tree::passes_filter(const QModelIndex& layer) const {
   const QStringList words = filter_.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   return std::all_of(words.begin(), words.end(),
                      [&](const QString& word) { return searched.contains(word, Qt::CaseInsensitive); });
+}
+
+void Layer_tree::close_unseen_stages() {
+  has_stages_ = model_->rowCount() > 0;
+  for (int s = 0; s < model_->rowCount(); ++s) {
+    const QModelIndex stage = model_->index(s, 0);
+    if (stage.data(Qt::CheckStateRole).toInt() == Qt::Unchecked) collapsed_.insert(stage.data().toString());
+  }
 }
 
 void Layer_tree::showEvent(QShowEvent* event) {
@@ -93,7 +104,7 @@ void Layer_tree::apply_filter() {
       hide(layer, !is_shown);
     }
     hide(stage, !is_any_shown);
-    setExpanded(stage, !filter_.isEmpty() || !collapsed_.contains(stage.data().toString()));
+    setExpanded(stage, !filter_.isEmpty() || is_visible_only_ || !collapsed_.contains(stage.data().toString()));
   }
   is_applying_filter_ = false;
   viewport()->update();

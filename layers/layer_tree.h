@@ -10,7 +10,8 @@ namespace mesecina {
 class Layer_delegate;
 class Layer_model;
 
-/// The view of a Layer_model: selection is for looks, clicks on eyes and swatches leave it alone.
+/// The view of a Layer_model: selection is for looks, clicks on eyes and swatches leave it alone. The stages of the
+/// first list of layers are open where a layer is visible.
 class Layer_tree : public QTreeView {
   Q_OBJECT
  public:
@@ -42,6 +43,7 @@ class Layer_tree : public QTreeView {
  private:
   bool press_part(QMouseEvent* event);
   void apply_filter();
+  void close_unseen_stages();
   bool passes_filter(const QModelIndex& layer) const;
   void advance_computing_rows();
 
@@ -53,7 +55,8 @@ class Layer_tree : public QTreeView {
   bool is_applying_filter_ = false;
   bool is_sweeping_ = false;
   bool is_swept_visible_ = false;
-  QSet<QString> collapsed_;  ///< stages that the user closed
+  bool has_stages_ = false;
+  QSet<QString> collapsed_;  ///< closed stages
 };
 
 }  // namespace mesecina

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "layers/layer_model.h"
+#include "layers/layer_visibility.h"
 #include "tests/panel/panel_fixture.h"
 
 namespace mesecina {
@@ -142,6 +143,23 @@ TEST_F(Layer_rows, click_on_a_stage_collapses_it_and_keeps_the_selection) {
   EXPECT_FALSE(tree().isExpanded(stage(0)));
   click(stage(0), Part::arrow);
   EXPECT_TRUE(tree().isExpanded(stage(0)));
+}
+
+TEST_F(Layer_rows, stages_without_a_visible_layer_start_closed) {
+  EXPECT_TRUE(tree().isExpanded(stage(0)));
+  EXPECT_TRUE(tree().isExpanded(stage(1)));
+  Layer_panel other(registry_);
+  auto& rows = *other.findChild<Layer_tree*>();
+  Layer_list layers = with_only_visible(default_layers(*registry_), {"a"});
+  other.set_layers(layers);
+  EXPECT_FALSE(rows.isExpanded(rows.model()->index(0, 0)));
+  EXPECT_TRUE(rows.isExpanded(rows.model()->index(1, 0)));
+  // Later lists leave stages as the user has them.
+  rows.setExpanded(rows.model()->index(0, 0), true);
+  std::reverse(layers.begin(), layers.end());
+  other.set_layers(with_only_visible(layers, {}));
+  EXPECT_TRUE(rows.isExpanded(rows.model()->index(0, 0)));
+  EXPECT_TRUE(rows.isExpanded(rows.model()->index(1, 0)));
 }
 
 TEST_F(Layer_rows, drop_reorders_within_a_stage) {
