@@ -21,6 +21,7 @@
 #include "app2d/popovers_2.h"
 #include "core/formats/number.h"
 #include "geometries/dual_2/module.h"
+#include "geometries/scale_axis_2/module.h"
 #include "layers/panel_paint.h"
 
 // The macro needs the global namespace.
@@ -144,6 +145,9 @@ void Main_window_2::build_docks() {
   };
   layer_panel_ = new Layer_panel(registry_, this);
   settings_panel_ = new Settings_panel(registry_, this);
+  // Few shapes are more than one disk beyond this.
+  constexpr double usual_maximum = 3;
+  settings_panel_->set_slider_maximum(std::string(scale_setting.id), usual_maximum);
   points_table_ = new Input_table_2(Rows_2::points, *editor_, this);
   disks_table_ = new Input_table_2(Rows_2::disks, *editor_, this);
   layers_dock_ = add(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
@@ -306,7 +310,7 @@ void Main_window_2::show_layer(const std::string& layer) {
   const Layer_spec* spec = registry_->find_layer(layer);
   if (!spec || spec->cut_setting.empty() || !primitives) return;
   const Values* values = primitives->find_values(spec->cut_value);
-  if (!values) return;
+  if (!values || std::isfinite(registry_->find_setting(spec->cut_setting)->maximum)) return;
   double largest = 0;
   for (const double value : values->data)
     if (std::isfinite(value)) largest = std::max(largest, value);

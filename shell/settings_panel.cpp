@@ -143,6 +143,7 @@ QWidget* Settings_panel::make_text(const Setting_spec& spec, Row& row) {
   layout->setContentsMargins(0, 0, 0, 0);
   auto* label = new QLabel(text_of(spec.label), holder);
   label->setToolTip(text_of(spec.help));
+  label->setWordWrap(true);
   layout->addWidget(label, 1);
   if (spec.choices.empty()) {
     auto* line = new QLineEdit(holder);
@@ -183,8 +184,8 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
   auto* label = new QLabel(text_of(spec.label), holder);
   auto* unit = new QLabel(text_of(spec.unit), holder);
   unit->setForegroundRole(QPalette::PlaceholderText);
-  // A long text is cut off rather than making the panel wider; the tip has it in full.
-  for (QLabel* text : {label, unit}) text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  // A long text goes on in the next line rather than making the panel wider.
+  for (QLabel* text : {label, unit}) text->setWordWrap(true);
   QFont small = unit->font();
   small.setPointSizeF(small.pointSizeF() * 0.9);
   unit->setFont(small);
@@ -231,12 +232,10 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
     if (!slider->isSliderDown()) slider->setValue(scale->position(number));
   };
   row.show = [show](const Setting_value& value) { show(number_of(value)); };
-  if (!is_bounded) {
-    row.set_slider_maximum = [this, &spec, scale, show, start](double maximum) {
-      scale->set_maximum(maximum, start);
-      show(number_of(registry_->value(settings_, spec.id)));
-    };
-  }
+  row.set_slider_maximum = [this, &spec, scale, show, start](double maximum) {
+    scale->set_maximum(std::min(maximum, spec.maximum), start);
+    show(number_of(registry_->value(settings_, spec.id)));
+  };
   return holder;
 }
 

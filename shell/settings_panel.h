@@ -22,7 +22,7 @@ class Settings_panel : public QScrollArea {
   explicit Settings_panel(std::shared_ptr<const Registry> registry, QWidget* parent = nullptr);
 
   void set_settings(const Settings& settings);
-  /// How far the slider of a setting without an upper bound of its own goes.
+  /// How far the slider of a setting goes, though never beyond the bound of the setting. Larger numbers can be typed.
   void set_slider_maximum(const std::string& setting, double maximum);
 
  Q_SIGNALS:

@@ -102,5 +102,20 @@ TEST_F(Panel, AnOpenSliderFollowsTheData) {
   EXPECT_EQ(*last.find("open"), Setting_value(40.0));
 }
 
+TEST_F(Panel, ASliderMayEndBeforeTheBoundButNotBeyond) {
+  panel.set_slider_maximum("limit", 90);
+  named<QSlider>("Slider of Limit")->setValue(1000);
+  EXPECT_EQ(*last.find("limit"), Setting_value(90.0));
+  auto* field = named<Number_field>("Limit");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "150");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(*last.find("limit"), Setting_value(150.0));
+  panel.set_slider_maximum("limit", 1000);
+  named<QSlider>("Slider of Limit")->setValue(1000);
+  EXPECT_EQ(*last.find("limit"), Setting_value(180.0));
+}
+
 }  // namespace
 }  // namespace mesecina
