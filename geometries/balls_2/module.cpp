@@ -99,7 +99,7 @@ void register_balls_2(Registry& registry) {
     Layer_spec layer;
     layer.id = "balls";
     layer.label = "Balls";
-    layer.stage = "Union of balls";
+    layer.stage = "Power diagram";
     layer.help = "The disks whose union is looked at, as ball-source says.";
     layer.style = look({60, 110, 170}, 1);
     layer.style.opacity = 0.7;
@@ -111,7 +111,7 @@ void register_balls_2(Registry& registry) {
     Layer_spec layer;
     layer.id = "ball-centers";
     layer.label = "Ball centers";
-    layer.stage = "Union of balls";
+    layer.stage = "Power diagram";
     layer.help = "The centers of the disks whose union is looked at.";
     layer.style = look({40, 80, 140});
     layer.style.point_size = 4;

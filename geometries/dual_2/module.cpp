@@ -132,8 +132,8 @@ void register_dual_2(Registry& registry) {
   add_dual_layer(registry, {"dual-interior-edges",
                             "Dual interior edges",
                             "Edges of the dual complex between two of its triangles. They give no vertex of the union.",
-                            {150, 180, 205},
-                            1,
+                            {110, 120, 140},
+                            1.5,
                             false,
                             [](Primitive_set& set, const Dual_2& dual) { add_edges(set, dual, Dual_kind::interior); }});
   add_dual_layer(registry, {"dual-regular-edges",

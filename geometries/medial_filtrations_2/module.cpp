@@ -161,6 +161,9 @@ void add_measure(Registry& registry, const Measure& measure) {
     layer.style.filled = true;
     layer.style.opacity = 0.6;
     layer.build = [measure](Context& context) { return boundary_primitives(*context.get(measure.shape)); };
+    layer.describe = [measure](Context& context, std::size_t element) {
+      return describe_boundary_element(*context.get(measure.shape), element);
+    };
     registry.add_layer(std::move(layer));
   }
   {

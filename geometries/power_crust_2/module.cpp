@@ -331,7 +331,7 @@ void register_power_crust_2(Registry& registry) {
                      "The triangles, edges and vertices of the regular triangulation of the poles between inner poles "
                      "alone: a complex with the topology of the shape, near its medial axis.") +
                  paper;
-    layer.style = look({220, 150, 90}, 1);
+    layer.style = look({140, 50, 100}, 2);
     layer.style.filled = true;
     layer.style.opacity = 0.8;
     layer.build = shape_layer;

@@ -133,7 +133,7 @@ void register_regular_2(Registry& registry) {
     Layer_spec layer;
     layer.id = "hidden-balls";
     layer.label = "Hidden balls";
-    layer.stage = "Union of balls";
+    layer.stage = "Power diagram";
     layer.help =
         "The disks without a power cell: everywhere some other disk is nearer in the power distance. They add nothing "
         "to the union.";
@@ -151,7 +151,7 @@ void register_regular_2(Registry& registry) {
     Layer_spec layer;
     layer.id = "regular-triangulation";
     layer.label = "Regular triangulation";
-    layer.stage = "Union of balls";
+    layer.stage = "Power diagram";
     layer.help =
         std::string("Joins the centers of two disks iff their power cells share an edge: dual to the power diagram.") +
         paper;
@@ -168,10 +168,10 @@ void register_regular_2(Registry& registry) {
     Layer_spec layer;
     layer.id = "power-diagram";
     layer.label = "Power diagram";
-    layer.stage = "Union of balls";
+    layer.stage = "Power diagram";
     layer.help = std::string(
                      "Gives every point to the disk to which its power distance |x - c|^2 - r^2 is least: convex "
-                     "cells. ") +
+                     "cells.") +
                  paper;
     layer.style = look({150, 155, 165}, 1);
     layer.build = [](Context& context) {

@@ -179,9 +179,13 @@ void register_scale_axis_2(Registry& registry) {
     layer.label = "Grown shape";
     layer.stage = stage;
     layer.help = "The union of the medial disks, all grown by the factor scale.";
-    layer.style = look({185, 185, 190}, 1.5);
+    layer.style = look({165, 165, 175}, 1.5);
     layer.style.filled = true;
+    layer.style.opacity = 0.6;
     layer.build = [](Context& context) { return boundary_primitives(*context.get(grown_boundary_2_key)); };
+    layer.describe = [](Context& context, std::size_t element) {
+      return describe_boundary_element(*context.get(grown_boundary_2_key), element);
+    };
     registry.add_layer(std::move(layer));
   }
   {
@@ -194,7 +198,11 @@ void register_scale_axis_2(Registry& registry) {
         "Transform, 2010, section 5.2]";
     layer.style = look({60, 160, 80}, 1.5);
     layer.style.filled = true;
+    layer.style.opacity = 0.6;
     layer.build = [](Context& context) { return boundary_primitives(*context.get(scale_axis_shape_2_key)); };
+    layer.describe = [](Context& context, std::size_t element) {
+      return describe_boundary_element(*context.get(scale_axis_shape_2_key), element);
+    };
     registry.add_layer(std::move(layer));
   }
   {

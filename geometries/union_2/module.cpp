@@ -2,6 +2,8 @@
 #include "geometries/union_2/module.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <numeric>
 
 #include "core/graph.h"
@@ -73,15 +75,21 @@ Primitive_set delaunay_layer(Context& context) {
   return set;
 }
 
-/// How many disks have both vertices on their circle.
-int common_sources(const Union_boundary_2& boundary, int p, int q) {
+/// The disks that have both vertices on their circle, ascending.
+std::vector<int> common_sources(const Union_boundary_2& boundary, int p, int q) {
   const auto of_p = boundary.sources_of(p);
   const auto of_q = boundary.sources_of(q);
-  return static_cast<int>(std::ranges::count_if(of_p, [&](int b) { return std::ranges::binary_search(of_q, b); }));
+  std::vector<int> result;
+  std::ranges::set_intersection(of_p, of_q, std::back_inserter(result));
+  return result;
 }
 
-/// Voronoi edges of the vertices of the union that `keeps` wants, given its Delaunay edge and the inside labels at its
-/// ends.
+/// The vertices of the union between which the Voronoi edge of this id lies.
+std::array<int, 2> edge_of(const Delaunay_2& delaunay, std::int64_t id) {
+  return delaunay.edge(static_cast<int>(id / 3), static_cast<int>(id % 3));
+}
+
+/// Voronoi edges of the vertices of the union that `keeps` wants, given its Delaunay edge.
 template <class Keeps>
 Primitive_set voronoi_edges(Context& context, const Keeps& keeps) {
   const auto voronoi = context.get(union_voronoi_2_key);
@@ -93,15 +101,31 @@ Primitive_set voronoi_edges(Context& context, const Keeps& keeps) {
   for (int t = 0; t < static_cast<int>(delaunay.triangles.size()); ++t) {
     for (int i = 0; i < 3; ++i) {
       if (!delaunay.edge_is_listed(t, i)) continue;
-      const int u = delaunay.neighbors[t][i];
-      if (!keeps(*voronoi, delaunay.edge(t, i), voronoi->is_inner[t] != 0, u >= 0 && voronoi->is_inner[u] != 0))
-        continue;
+      if (!keeps(*voronoi, delaunay.edge(t, i))) continue;
       add_dual_edge(set, delaunay, t, i, 0);
-      (u < 0 ? ray_ids : set.ids).push_back(edge_id(t, i));
+      (delaunay.neighbors[t][i] < 0 ? ray_ids : set.ids).push_back(edge_id(t, i));
     }
   }
   set.ids.insert(set.ids.end(), ray_ids.begin(), ray_ids.end());
   return without_unused_vertices(set);
+}
+
+Element_description describe_voronoi_edge(Context& context, const Primitive_set& edges, std::size_t element) {
+  if (element >= edges.element_count()) return {};
+  const auto voronoi = context.get(union_voronoi_2_key);
+  const Union_boundary_2& boundary = *voronoi->boundary;
+  const auto [p, q] = edge_of(voronoi->delaunay, edges.id(element));
+  Element_description description;
+  description.facts.push_back({"between vertices of the union", enumeration(std::array{p, q})});
+  add_point(description.dual, boundary.vertices[p]);
+  add_point(description.dual, boundary.vertices[q]);
+  const std::vector<int> disks = common_sources(boundary, p, q);
+  if (disks.empty()) return description;
+  description.facts.push_back(
+      {disks.size() == 1 ? "both on the circle of disk" : "both on the circles of disks", enumeration(disks)});
+  const Balls_2& balls = *boundary.dual->regular->balls;
+  for (const int disk : disks) add_disk(description.dual, balls.centers[disk], boundary.radii[disk]);
+  return description;
 }
 
 Primitive_set voronoi_side_layer(Context& context, bool inner) {
@@ -148,14 +172,30 @@ Style dots(Color color, double size) {
 }
 
 void add_vertex_layers(Registry& registry) {
+  const auto all_edges = [](Context& context) {
+    return voronoi_edges(context, [](const auto&, const auto&) { return true; });
+  };
+  const auto crossing_edges = [](Context& context) {
+    return voronoi_edges(context, [](const auto& of, const auto& edge) {
+      return common_sources(*of.boundary, edge[0], edge[1]).size() == 1;
+    });
+  };
+  const auto alpha_edges = [](Context& context) {
+    return voronoi_edges(context, [](const auto& of, const auto& edge) {
+      return common_sources(*of.boundary, edge[0], edge[1]).size() >= 2;
+    });
+  };
+  const auto describe = [](auto edges) {
+    return [edges](Context& context, std::size_t element) {
+      return describe_voronoi_edge(context, edges(context), element);
+    };
+  };
   add_layer(registry, "union-vertices-delaunay", "Delaunay of the union's vertices",
             "Delaunay triangulation of the vertices of the union.", look({180, 165, 135}, 1), delaunay_layer);
   add_layer(registry, "union-vertices-voronoi", "Voronoi of the union's vertices",
             "Voronoi diagram of the vertices of the union: inside the dual complex it is the medial axis of the union. "
             "[N. Amenta, R. Kolluri 2001]",
-            look({165, 180, 195}, 1), [](Context& context) {
-              return voronoi_edges(context, [](const auto&, const auto&, bool, bool) { return true; });
-            });
+            look({165, 180, 195}, 1), all_edges, describe(all_edges));
   add_layer(registry, "union-voronoi-exterior", "Exterior Voronoi vertices",
             "Voronoi vertices of the vertices of the union that lie outside of the dual complex.",
             dots({110, 140, 120}, 4), [](Context& context) { return voronoi_side_layer(context, false); });
@@ -166,19 +206,11 @@ void add_vertex_layers(Registry& registry) {
   add_layer(registry, "union-crossing-edges", "Crossing edges",
             "Voronoi edges whose two vertices of the union lie on the circle of one common disk: they pass through its "
             "center, where they may leave the dual complex. [N. Amenta, R. Kolluri 2001, Lemma 13]",
-            look({225, 170, 20}, 2), [](Context& context) {
-              return voronoi_edges(context, [](const auto& of, const auto& edge, bool, bool) {
-                return common_sources(*of.boundary, edge[0], edge[1]) == 1;
-              });
-            });
+            look({225, 170, 20}, 2), crossing_edges, describe(crossing_edges));
   add_layer(registry, "union-alpha-edges", "Alpha edges",
             "Voronoi edges whose two vertices of the union lie on the circles of two common disks: they contain a "
             "singular edge of the dual complex. [N. Amenta, R. Kolluri 2001, Lemma 14]",
-            look({40, 90, 220}, 2.5), [](Context& context) {
-              return voronoi_edges(context, [](const auto& of, const auto& edge, bool, bool) {
-                return common_sources(*of.boundary, edge[0], edge[1]) >= 2;
-              });
-            });
+            look({40, 90, 220}, 2.5), alpha_edges, describe(alpha_edges));
   add_layer(registry, "union-vertices-origin", "Origins of the union's vertices",
             "Joins every vertex of the union to the centers of the disks whose circles meet in it.",
             look({205, 150, 165}, 1), origin_layer, [](Context& context, std::size_t element) {
@@ -226,12 +258,9 @@ void register_union_2(Registry& registry) {
   add_layer(
       registry, "union-boundary", "Boundary of the union",
       "The boundary of the union of the disks: circular arcs between the vertices of the union, and whole circles.",
-      look({25, 70, 130}, 2), [](Context& context) { return boundary_primitives(*context.get(union_boundary_2_key)); },
+      look({25, 30, 45}, 2.5), [](Context& context) { return boundary_primitives(*context.get(union_boundary_2_key)); },
       [](Context& context, std::size_t element) {
-        const auto boundary = context.get(union_boundary_2_key);
-        const Primitive_set set = boundary_primitives(*boundary);
-        if (element >= set.element_count()) return Element_description{};
-        return describe_ball(*boundary->dual->regular->balls, static_cast<std::size_t>(set.id(element)));
+        return describe_boundary_element(*context.get(union_boundary_2_key), element);
       });
   add_layer(registry, "union-medial-disks", "Medial disks of the union",
             "The medial disks at the vertices of the medial axis of the union. Their union is the union itself.",

@@ -16,6 +16,8 @@ inline constexpr Setting<bool> complete_faces_only_setting{"complete-faces-only"
 /// The boundary as arcs and whole circles, isolated disks of radius 0 as points; ids: the disks. A whole circle without
 /// a vertex of the union begins and ends at its rightmost point.
 Primitive_set boundary_primitives(const Union_boundary_2& boundary);
+/// What an element of that is: its disk.
+Element_description describe_boundary_element(const Union_boundary_2& boundary, std::size_t element);
 /// The axis: medial disks without an edge as points, then the edges, without the incomplete ones if asked for; one
 /// vertex per medial disk; values lambda and angle.
 Primitive_set union_axis_primitives(const Union_medial_axis_2& axis, bool complete_only);

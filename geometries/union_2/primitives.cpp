@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 
+#include "geometries/balls_2/module.h"
 #include "geometries/primitives_2.h"
 #include "geometries/union_2/module.h"
 
@@ -30,6 +31,12 @@ Primitive_set boundary_primitives(const Union_boundary_2& boundary) {
   }
   set.ids.insert(set.ids.end(), arc_ids.begin(), arc_ids.end());
   return set;
+}
+
+Element_description describe_boundary_element(const Union_boundary_2& boundary, std::size_t element) {
+  const Primitive_set set = boundary_primitives(boundary);
+  if (element >= set.element_count()) return {};
+  return describe_ball(*boundary.dual->regular->balls, static_cast<std::size_t>(set.id(element)));
 }
 
 namespace {

@@ -170,6 +170,23 @@ TEST(Registry_2, EveryLayerIsComputedOnAnExampleAndItsValuesFitItsElements) {
   }
 }
 
+TEST(Registry_2, VoronoiEdgesOfAUnionTellTheDisksTheyComeFrom) {
+  Graph graph(make_registry_2());
+  graph.set_inputs(Inputs().with(disks_input, std::vector<Disk_2>{{{0, 0}, 5}, {{6, 0}, 5}, {{12, 1}, 5}}));
+  Progress progress;
+  const auto told = [&](const char* layer) {
+    std::set<std::string> facts;
+    const auto outcome = graph.layer(layer, progress);
+    for (std::size_t e = 0; outcome && e < outcome.value->element_count(); ++e)
+      for (const Fact& fact : graph.describe(layer, e, progress).facts)
+        if (fact.name.find("disk") != std::string::npos) facts.insert(fact.name + " " + fact.text);
+    return facts;
+  };
+  EXPECT_THAT(told("union-alpha-edges"),
+              testing::ElementsAre("both on the circles of disks 0 and 1", "both on the circles of disks 1 and 2"));
+  EXPECT_THAT(told("union-crossing-edges"), testing::ElementsAre("both on the circle of disk 1"));
+}
+
 TEST(Registry_2, EveryLayerHasAReasonWhereThereIsNothing) {
   const auto registry = make_registry_2();
   Graph graph(registry);
