@@ -199,7 +199,7 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
   slider->setPageStep(Slider_scale::steps / 20);
   slider->setAccessibleName(tr("Slider of %1").arg(text_of(spec.label)));
   const QString help =
-      spec.unit.empty() ? text_of(spec.help) : tr("%1\nIn %2.").arg(text_of(spec.help), text_of(spec.unit));
+      spec.unit.empty() ? text_of(spec.help) : tr("%1\nUnit: %2").arg(text_of(spec.help), text_of(spec.unit));
   for (QWidget* part : {static_cast<QWidget*>(label), static_cast<QWidget*>(unit), static_cast<QWidget*>(field),
                         static_cast<QWidget*>(slider)})
     part->setToolTip(help);

@@ -44,6 +44,12 @@ Balls_2 compute_balls(Context& context) {
     if (!has_disks) throw Unavailable("there are no disks: draw, generate or open some, or choose another ball-source");
     return given_balls(*disks);
   }
+  const bool has_samples = context.input(points_input) != nullptr || context.input(outline_input) != nullptr;
+  if (!has_samples)
+    throw Unavailable(
+        source == ball_source_automatic
+            ? "there are no disks, and no points or outline to take them from: draw, generate or open some"
+            : "there are no points or outline to take disks from: choose another ball-source, or draw some");
   if (source == ball_source_inner_poles) {
     const auto triangulation = context.get(delaunay_2_key);
     const auto chosen = context.get(polar_balls_2_key)->inner_triangles(triangulation->triangles.size());
@@ -51,9 +57,6 @@ Balls_2 compute_balls(Context& context) {
     if (balls.size() == 0) throw Unavailable("no pole lies inside: the samples enclose nothing (is the curve closed?)");
     return balls;
   }
-  const bool has_samples = context.input(points_input) != nullptr || context.input(outline_input) != nullptr;
-  if (source == ball_source_automatic && !has_samples)
-    throw Unavailable("there are no disks, and no points or outline to take them from: draw, generate or open some");
   return context.get(inner_voronoi_balls_2_key)->balls;
 }
 

@@ -221,7 +221,7 @@ void add_vertex_layers(Registry& registry) {
   add_layer(registry, "union-vertices", "Vertices of the union",
             "V(U): the points of the boundary of the union where circles meet. [B. Miklos: The Scale Axis Transform, "
             "2010, section 3.2.4]",
-            dots({190, 20, 50}, 5), vertex_layer, describe_vertex);
+            dots({190, 20, 50}, 7), vertex_layer, describe_vertex);
 }
 
 }  // namespace
