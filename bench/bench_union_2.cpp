@@ -38,16 +38,16 @@ struct Times {
   double baseline() const { return regular_baseline + delaunay_baseline; }
 };
 
-std::shared_ptr<const Balls_2> inner_voronoi_balls(std::size_t count, Progress& progress) {
-  const Delaunay_2 triangulation = delaunay(smooth_curve(count), progress);
+std::shared_ptr<const Balls_2> inner_voronoi_balls(const std::vector<Point_2>& samples, Progress& progress) {
+  const Delaunay_2 triangulation = delaunay(samples, progress);
   const Voronoi_2 diagram = voronoi(triangulation, progress);
   const Labels_2 labels = flood_labels(triangulation, one_step_crust(triangulation, progress), progress);
   return std::make_shared<const Balls_2>(circumscribed_balls(triangulation, diagram, labels.is_inner, progress).balls);
 }
 
-Times measure_medial_axis(std::size_t count, int threads, int repetitions) {
+Times measure_medial_axis(const std::vector<Point_2>& samples, int threads, int repetitions) {
   Progress progress({}, {}, threads);
-  const std::shared_ptr<const Balls_2> balls = inner_voronoi_balls(count, progress);
+  const std::shared_ptr<const Balls_2> balls = inner_voronoi_balls(samples, progress);
   std::vector<Kernel::Weighted_point_2> weighted;
   for (std::size_t b = 0; b < balls->size(); ++b)
     weighted.emplace_back(Kernel::Point_2(balls->centers[b].x, balls->centers[b].y), balls->radii[b] * balls->radii[b]);
@@ -83,16 +83,15 @@ Times measure_medial_axis(std::size_t count, int threads, int repetitions) {
   return best;
 }
 
-void bench_medial_axis(Table& table, int threads) {
-  const Times small = measure_medial_axis(100'000, threads, 5);
-  const Times large = measure_medial_axis(1'000'000, threads, 2);
-  const std::string on = " [" + std::to_string(threads) + (threads == 1 ? " thread]" : " threads]");
-  table.row("10^5 Voronoi disks: medial axis of the union / CGAL" + on, small.medial_axis / small.baseline(), "x", 3);
-  table.row("10^6 Voronoi disks: medial axis of the union / CGAL" + on, large.medial_axis / large.baseline(), "x");
-  table.row("10^5 to 10^6: growth exponent of the medial axis of the union" + on,
-            std::log10(large.medial_axis / small.medial_axis), "", 1.15);
-  table.row("10^5 to 10^6: growth exponent of CGAL's two triangulations" + on,
-            std::log10(large.baseline() / small.baseline()), "");
+void bench_medial_axis(Table& table, const std::string& name, std::vector<Point_2> (*curve)(std::size_t), int threads) {
+  const Times small = measure_medial_axis(curve(100'000), threads, 5);
+  const Times large = measure_medial_axis(curve(1'000'000), threads, 2);
+  const std::string on = ", " + name + " [" + std::to_string(threads) + (threads == 1 ? " thread]" : " threads]");
+  table.row("10^5 Voronoi disks: medial axis of union / CGAL" + on, small.medial_axis / small.baseline(), "x", 3);
+  table.row("10^6 Voronoi disks: medial axis of union / CGAL" + on, large.medial_axis / large.baseline(), "x");
+  table.row("10^5 to 10^6: growth exponent of medial axis" + on, std::log10(large.medial_axis / small.medial_axis), "",
+            1.15);
+  table.row("10^5 to 10^6: growth exponent of CGAL's" + on, std::log10(large.baseline() / small.baseline()), "");
 }
 
 /// The example sampled to about `count` points.
@@ -170,8 +169,8 @@ void bench_disk(Table& table, std::size_t count, double goal, int threads) {
 int main() {
   Table table;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  bench_medial_axis(table, 1);
-  if (cores > 1) bench_medial_axis(table, cores);
+  bench_medial_axis(table, "smooth", smooth_curve, 1);
+  bench_medial_axis(table, "rippled", rippled_curve, 1);
   bench_scale(table, "giraffe.wkt", 1184, 30, cores);
   bench_scale(table, "italy.wkt", 20'000, 4, cores);
   bench_disk(table, 10'000, 20, cores);
