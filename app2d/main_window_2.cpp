@@ -16,6 +16,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app2d/first_look.h"
 #include "app2d/generators_2.h"
 #include "app2d/overlay_2.h"
 #include "app2d/popovers_2.h"
@@ -31,28 +32,6 @@ namespace mesecina {
 
 namespace {
 
-/// A few layers that tell a story together: samples, their Voronoi diagram, the curve and what is inside it.
-Layer_list first_look(const Registry& registry, const std::vector<std::string>& visible) {
-  Layer_list layers = default_layers(registry);
-  if (!visible.empty()) {
-    for (Layer_entry& entry : layers) entry.style.visible = std::ranges::count(visible, entry.id) > 0;
-    return layers;
-  }
-  if (Layer_entry* entry = find_entry(layers, "voronoi")) {
-    constexpr double faint = 0.35;
-    entry->style.visible = true;
-    entry->style.opacity = faint;
-  }
-  if (Layer_entry* entry = find_entry(layers, "one-step-crust")) entry->style.visible = true;
-  if (Layer_entry* entry = find_entry(layers, "medial-axis")) {
-    constexpr double width = 2.5;
-    entry->style.visible = true;
-    entry->style.value = "lambda";
-    entry->style.line_width = width;
-  }
-  return layers;
-}
-
 /// Empty when none is visible.
 QString topmost_visible(const Layer_list& layers) {
   for (auto entry = layers.rbegin(); entry != layers.rend(); ++entry)
@@ -63,8 +42,14 @@ QString topmost_visible(const Layer_list& layers) {
 Document_state first_state(const Registry& registry, const Startup& startup) {
   constexpr std::size_t samples = 120;
   constexpr double size = 100;
-  Document_state state{{}, startup.settings, first_look(registry, startup.layers)};
+  Document_state state{{}, startup.settings, {}};
   if (startup.files.empty()) state.inputs = state.inputs.with(points_input, wiggly_curve(samples, size));
+  if (startup.layers.empty()) {
+    state.layers = first_look(registry, state.inputs);
+  } else {
+    state.layers = default_layers(registry);
+    for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
+  }
   return state;
 }
 
@@ -73,7 +58,10 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
 Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
     : registry_(std::move(registry)),
       formats_(std::make_shared<const Formats>(std::move(formats))),
-      document_(first_state(*registry_, startup)),
+      document_(first_state(*registry_, startup),
+                [known = registry_](const Inputs& inputs, Layer_list layers) {
+                  return look_at(*known, inputs, std::move(layers));
+                }),
       computation_(registry_, document_) {
   load_icons();
   setObjectName(QStringLiteral("main-window"));

@@ -72,6 +72,10 @@ Document::Document(Document_state start, QObject* parent)
   history_.setUndoLimit(most_steps);
 }
 
+Document::Document(Document_state start, Layers_for_inputs layers_for_inputs) : Document(std::move(start)) {
+  layers_for_inputs_ = std::move(layers_for_inputs);
+}
+
 void Document::edit(Document_state after, const QString& text, const QString& merge) {
   const bool is_same =
       after.inputs == state_.inputs && after.settings == state_.settings && after.layers == state_.layers;
@@ -82,6 +86,8 @@ void Document::edit(Document_state after, const QString& text, const QString& me
 void Document::edit_inputs(Inputs inputs, const QString& text, const QString& merge) {
   Document_state after = state_;
   after.inputs = std::move(inputs);
+  if (layers_for_inputs_ && after.inputs.ids() != state_.inputs.ids())
+    after.layers = layers_for_inputs_(after.inputs, std::move(after.layers));
   edit(std::move(after), text, merge);
 }
 

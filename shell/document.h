@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -36,7 +37,11 @@ bool same_data(const Inputs& first, const Inputs& second);
 class Document : public QObject {
   Q_OBJECT
  public:
+  /// The layers that belong to other kinds of inputs than there were, in the same step as these.
+  using Layers_for_inputs = std::function<Layer_list(const Inputs&, Layer_list)>;
+
   explicit Document(Document_state start, QObject* parent = nullptr);
+  Document(Document_state start, Layers_for_inputs layers_for_inputs);
 
   const Document_state& state() const { return state_; }
   const Inputs& inputs() const { return state_.inputs; }
@@ -68,6 +73,7 @@ class Document : public QObject {
   void tell_modified();
 
   Document_state state_;
+  Layers_for_inputs layers_for_inputs_;
   Inputs saved_;
   bool was_modified_ = false;
   QUndoStack history_;

@@ -179,6 +179,32 @@ TEST_F(Files, DisksAreShownWithoutAWord) {
   EXPECT_EQ(window().computation().primitives("disks")->balls.size(), 2u);
 }
 
+TEST_F(Files, AFirstLookFollowsWhatTheFilesHold) {
+  const auto shown = [this](const char* id) { return find_entry(document().layers(), id)->style.visible; };
+  const QString disks = write("disks.wpoff", "WPOFF 2 0 0\n0 0 2\n3 0 2\n");
+  open_window({{disks.toStdString()}, {}, {}});
+  ASSERT_TRUE(wait_until([&] { return document().inputs().get(disks_input) != nullptr; }));
+  EXPECT_TRUE(shown("union-medial-axis") && shown("union-boundary"));
+  EXPECT_FALSE(shown("medial-axis") || shown("voronoi"));
+  ASSERT_TRUE(wait_until_current("union-medial-axis"));
+  EXPECT_TRUE(window().layer_notes().lines().isEmpty());
+  EXPECT_EQ(document().history().count(), 0);
+
+  drop({write("three.xy", "0 0\n1 0\n0 1\n")});
+  EXPECT_TRUE(shown("medial-axis"));
+  EXPECT_FALSE(shown("union-medial-axis"));
+  trigger("undo");
+  EXPECT_TRUE(shown("union-medial-axis"));
+  EXPECT_NE(document().inputs().get(disks_input), nullptr);
+
+  // What the user has chosen stays.
+  Layer_list layers = document().layers();
+  find_entry(layers, "delaunay")->style.visible = true;
+  document().edit_layers(layers, "Show");
+  drop({write("three.xy", "0 0\n1 0\n0 1\n")});
+  EXPECT_TRUE(shown("union-medial-axis") && shown("delaunay"));
+}
+
 TEST_F(Files, DisksAreSavedAndReadExactly) {
   drop({write("in.csv", "x,y,r\n0.1,1e-300,0.30000000000000004\n-7,123456789.12345679,5e-324\n")});
   const auto read = *document().inputs().get(disks_input);
