@@ -21,6 +21,16 @@ Box bounding_box(const Inputs& inputs) {
     box.add(Point_2{image->lower_left.x + image->width * image->pixel_size,
                     image->lower_left.y + image->height * image->pixel_size});
   }
+  if (const auto mesh = inputs.get(mesh_input))
+    for (const Point_3& p : mesh->vertices) box.add(p);
+  if (const auto cloud = inputs.get(cloud_input))
+    for (const Point_3& p : *cloud) box.add(p);
+  if (const auto balls = inputs.get(balls_input)) {
+    for (const auto& [c, r] : *balls) {
+      box.add(Point_3{c.x - r, c.y - r, c.z - r});
+      box.add(Point_3{c.x + r, c.y + r, c.z + r});
+    }
+  }
   return box;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -38,6 +39,20 @@ struct Image {
   double pixel_size = 1;           ///< in units of the plane
 };
 
+struct Ball_3 {
+  Point_3 center;
+  double radius = 0;
+  bool operator==(const Ball_3&) const = default;
+};
+
+/// Triangles in space as they were read, without any promise: they may be badly oriented, cross each other, or leave
+/// holes. Polygons were triangulated.
+struct Triangle_mesh_3 {
+  std::vector<Point_3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+  bool operator==(const Triangle_mesh_3&) const = default;
+};
+
 /// Names one kind of input data; two keys with the same id must have the same T.
 template <class T>
 struct Input_key {
@@ -48,6 +63,9 @@ inline constexpr Input_key<std::vector<Point_2>> points_input{"points"};
 inline constexpr Input_key<std::vector<Disk_2>> disks_input{"disks"};
 inline constexpr Input_key<Outline_2> outline_input{"outline"};
 inline constexpr Input_key<Image> image_input{"image"};
+inline constexpr Input_key<Triangle_mesh_3> mesh_input{"mesh"};
+inline constexpr Input_key<std::vector<Ball_3>> balls_input{"balls"};
+inline constexpr Input_key<std::vector<Point_3>> cloud_input{"cloud"};
 
 /// What the user gave: an immutable value per key, shared between copies, so that a copy costs a few pointers and
 /// undo can keep hundreds of them. Changing one means making another with `with`.
@@ -103,7 +121,7 @@ class Inputs {
   std::map<std::string, Slot, std::less<>> slots_;
 };
 
-/// Bounding box of all planar inputs (points, disks with their radius, outline, image).
+/// Bounding box of all inputs, disks and balls with their radius.
 Box bounding_box(const Inputs& inputs);
 
 }  // namespace mesecina

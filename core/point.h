@@ -26,6 +26,19 @@ inline double squared_distance(const Point_2& p, const Point_2& q) {
   return dx * dx + dy * dy;
 }
 
+inline Point_3 operator+(const Point_3& p, const Point_3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+inline Point_3 operator-(const Point_3& p, const Point_3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+inline Point_3 operator*(double factor, const Point_3& p) { return {factor * p.x, factor * p.y, factor * p.z}; }
+inline double dot(const Point_3& p, const Point_3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+inline Point_3 cross(const Point_3& p, const Point_3& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+inline double squared_distance(const Point_3& p, const Point_3& q) { return dot(p - q, p - q); }
+inline double distance(const Point_3& p, const Point_3& q) { return std::sqrt(squared_distance(p, q)); }
+inline Point_3 midpoint(const Point_3& p, const Point_3& q) {
+  return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
+}
+
 /// sqrt(x^2 + y^2) without overflow or underflow, and as fast as the formula where neither threatens.
 inline double euclidean_norm(double x, double y) {
   constexpr double smallest_safe_square = 1e-280;

@@ -43,6 +43,12 @@ std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
   }
   if (const auto image = inputs.get(image_input))
     counts["pixels"] = static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
+  if (const auto mesh = inputs.get(mesh_input)) {
+    counts["mesh-vertices"] = mesh->vertices.size();
+    counts["triangles"] = mesh->triangles.size();
+  }
+  if (const auto balls = inputs.get(balls_input)) counts["balls"] = balls->size();
+  if (const auto cloud = inputs.get(cloud_input)) counts["points"] = cloud->size();
   return counts;
 }
 
