@@ -81,6 +81,7 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep) {
     if (!used[v]) continue;
     renamed[v] = static_cast<int>(result.vertices.size());
     result.vertices.push_back(set.vertices[v]);
+    if (!set.radii.empty()) result.radii.push_back(set.radii[v]);
   }
 
   element = 0;
@@ -130,6 +131,7 @@ Primitive_set apply_cut(const Primitive_set& set, const Cut& cut) {
 }
 
 std::optional<Topology> topology(const Primitive_set& set) {
+  if (set.known_topology) return set.known_topology;
   if (!set.is_complex || !set.rays.empty() || set.polygon_count() != 0 || !set.balls.empty() || set.dimension != 2)
     return std::nullopt;
 

@@ -44,6 +44,13 @@ struct Values {
   std::vector<double> data;
 };
 
+/// Euler characteristic and Betti numbers of a complex.
+struct Topology {
+  std::int64_t euler = 0;
+  std::array<std::int64_t, 3> betti{};
+  bool operator==(const Topology&) const = default;
+};
+
 /// What a layer is made of, in any dimension: the only thing canvases, pickers and writers know.
 ///
 /// *Elements* are the primitives in this fixed order: points, segments, rays, arcs, triangles, polygons, balls; element
@@ -51,18 +58,21 @@ struct Values {
 struct Primitive_set {
   int dimension = 2;                         ///< 2: z of every vertex is 0
   std::vector<Point_3> vertices;             ///< shared by the primitives below
+  std::vector<double> radii;                 ///< per vertex, of its medial ball, which is not drawn; empty: none
   std::vector<int> points;                   ///< vertex
   std::vector<std::array<int, 2>> segments;  ///< vertices
   std::vector<Ray> rays;
   std::vector<Arc> arcs;
   std::vector<std::array<int, 3>> triangles;  ///< vertices, counterclockwise in the plane
   std::vector<int> polygon_offsets;           ///< empty, or #polygons + 1 offsets into polygon_vertices
-  std::vector<int> polygon_vertices;          ///< filled all together by the even-odd rule
+  /// In the plane filled all together by the even-odd rule; in space each is a planar convex face of its own.
+  std::vector<int> polygon_vertices;
   std::vector<Ball> balls;
   std::vector<Values> values;
-  std::vector<std::int64_t> ids;       ///< per element, what it is in the structure; empty: its own number
-  std::shared_ptr<const Image> image;  ///< drawn below the primitives; null for none
-  bool is_complex = false;             ///< the primitives form a complex: Euler and Betti numbers mean something
+  std::vector<std::int64_t> ids;           ///< per element, what it is in the structure; empty: its own number
+  std::shared_ptr<const Image> image;      ///< drawn below the primitives; null for none
+  bool is_complex = false;                 ///< the primitives form a complex: Euler and Betti numbers mean something
+  std::optional<Topology> known_topology;  ///< of the whole structure, where the primitives do not show all of it
 
   std::size_t polygon_count() const { return polygon_offsets.empty() ? 0 : polygon_offsets.size() - 1; }
   std::span<const int> polygon(std::size_t i) const {
@@ -99,14 +109,10 @@ Primitive_set select(const Primitive_set& set, const std::vector<bool>& keep);
 /// The elements the cut keeps; the set itself if it has no values of that name.
 Primitive_set apply_cut(const Primitive_set& set, const Cut& cut);
 
-/// Euler characteristic and Betti numbers of the complex formed by the points, segments, arcs and triangles of a set
-/// (their vertices and edges belong to it). An arc is an edge of its own, also beside others between the same vertices,
-/// and a whole circle is a loop. nullopt for sets with other primitives or that are no complex. b2 is always 0 in the
-/// plane. O(n α(n)), with triangles O(n log n).
-struct Topology {
-  std::int64_t euler = 0;
-  std::array<std::int64_t, 3> betti{};
-};
+/// Of the complex formed by the points, segments, arcs, triangles and, in space, polygons of a set (their vertices and
+/// edges belong to it); `known_topology` where there is one. An arc is an edge of its own, also beside others between
+/// the same vertices, and a whole circle is a loop. nullopt for sets with other primitives or that are no complex. b2
+/// is always 0 in the plane. O(n α(n)), with triangles O(n log n).
 std::optional<Topology> topology(const Primitive_set& set);
 
 }  // namespace mesecina
