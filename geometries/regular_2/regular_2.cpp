@@ -222,8 +222,8 @@ Insertion_order insertion_order(const Balls_2& balls, const std::vector<std::uin
     const int p = previous[at];
     const int q = next[at];
     const auto squared_distance_to = [&](int other) {
-      return squared_distance({curve[at].approximate_x, curve[at].approximate_y},
-                              {curve[other].approximate_x, curve[other].approximate_y});
+      return squared_distance(Point_2{curve[at].approximate_x, curve[at].approximate_y},
+                              Point_2{curve[other].approximate_x, curve[other].approximate_y});
     };
     result.near[i] = place[p < 0 ? q : q < 0 ? p : squared_distance_to(p) <= squared_distance_to(q) ? p : q];
     if (p >= 0) next[p] = q;

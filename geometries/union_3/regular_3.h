@@ -4,33 +4,39 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/inputs.h"
+#include "core/primitives.h"
 #include "core/progress.h"
 
 namespace mesecina {
 
-/// A triangulation of CGAL with its point location, behind which the rest of the program need not look.
-class Regular_locator_3;
-
-/// The regular (weighted Delaunay) triangulation of balls, weights the squared radii. Exact for the balls as they are.
+/// The regular (weighted Delaunay) triangulation of balls. Weights are the squared radii, rounded; for these it is
+/// exact.
 struct Regular_3 {
   std::vector<Ball_3> balls;
-  int dimension = -1;  ///< of the affine hull of the balls that are not hidden
-  /// Cells of dimension `dimension`, in space tetrahedra with positive orientation, as balls; -1 in unused places.
+  /// Tetrahedra with positive orientation, as balls, and around their convex hull infinite ones, which have -1 in place
+  /// of a ball (in more than one place only where all balls lie in a plane).
   std::vector<std::array<int, 4>> cells;
-  /// Per cell the neighbour across from each of its balls; -1 outside of the convex hull.
-  std::vector<std::array<int, 4>> neighbors;
-  std::vector<std::uint8_t> is_hidden;  ///< per ball: its power cell is empty
-  std::shared_ptr<const Regular_locator_3> locator;
+  std::vector<std::array<int, 4>> neighbors;  ///< per cell the cell across from each of its places
+  std::vector<int> cell_of_ball;              ///< some cell that has it; -1 for hidden balls, whose power cell is empty
+
+  bool is_infinite(int cell) const {
+    const auto& c = cells[cell];
+    return (c[0] | c[1] | c[2] | c[3]) < 0;
+  }
 };
 
-/// O(n log n) for balls along a surface. Equal balls: the first one stays, the others are hidden.
+/// Of balls with the same center only a largest one, the first of them, is not hidden. The order of cells depends on
+/// the balls only. O(n log n) for balls along a surface. Throws Unavailable when there are no balls.
 Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress);
 
-/// A simplex of the dual complex and how it lies in it.
+/// The finite cell that holds the point (one of them, on a boundary), found by walking from `start`; -1 outside of the
+/// convex hull. Safe to call from several threads. Exact.
+int locate(const Regular_3& regular, const Point_3& point, int start);
+
+/// How a simplex lies in the dual complex.
 enum class Simplex_kind_3 : std::uint8_t {
   outside,   ///< not in the complex
   singular,  ///< in it, and face of nothing larger in it
@@ -42,24 +48,30 @@ enum class Simplex_kind_3 : std::uint8_t {
 /// It has the homotopy type of the union. Simplices are given by their balls.
 /// [H. Edelsbrunner: The union of balls and its dual shape, 1995]
 struct Dual_3 {
-  std::shared_ptr<const Regular_3> regular;
-  std::vector<std::uint8_t> has_cell;  ///< per cell of the regular triangulation (when its dimension is 3)
   struct Triangle {
     std::array<int, 3> balls{};
-    std::array<int, 2> cells{-1, -1};  ///< on both sides; -1 outside of the hull. The normal of the balls points to [1]
+    /// Cells of the regular triangulation: the normal (right-hand rule) of the balls points into the second one.
+    std::array<int, 2> cells{};
     Simplex_kind_3 kind = Simplex_kind_3::singular;
   };
   struct Edge {
     std::array<int, 2> balls{};
     Simplex_kind_3 kind = Simplex_kind_3::singular;
-    bool has_triangle = false;  ///< it is an edge of a triangle of the complex
   };
+
+  std::shared_ptr<const Regular_3> regular;
+  std::vector<std::uint8_t> has_cell;  ///< per cell of the regular triangulation
+  /// Per cell: it is in the complex, and its four spheres meet in one point, exactly.
+  std::vector<std::uint8_t> is_flat;
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
   std::vector<Simplex_kind_3> vertices;  ///< per ball
 };
 
-/// Exact for the balls as they are. O(n).
+/// Exact for the weights of the triangulation. O(n).
 Dual_3 dual_complex(std::shared_ptr<const Regular_3> regular, Progress& progress);
+
+/// Of the complex, and so of the union: components, tunnels and cavities. O(n α(n)).
+Topology topology(const Dual_3& dual);
 
 }  // namespace mesecina

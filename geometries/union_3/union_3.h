@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geometries/union_3/regular_3.h"
+
+namespace mesecina {
+
+/// The vertices of the boundary of a union of balls, V(U): where three spheres meet on it. Known by their construction,
+/// a triangle of the dual complex and a side of it; spheres that meet in one point, exactly, have one vertex there.
+struct Union_vertices_3 {
+  std::shared_ptr<const Dual_3> dual;
+  std::vector<Point_3> points;
+  /// Per vertex the balls on whose spheres it lies, ascending: offsets and balls.
+  std::vector<int> ball_offsets;
+  std::vector<int> balls;
+
+  std::span<const int> balls_of(int vertex) const {
+    return std::span(balls).subspan(ball_offsets[vertex], ball_offsets[vertex + 1] - ball_offsets[vertex]);
+  }
+};
+
+/// O(n).
+Union_vertices_3 union_vertices(std::shared_ptr<const Dual_3> dual, Progress& progress);
+
+/// Where the spheres of three balls meet: on the side to which the normal (right-hand rule) of their centers points, or
+/// on the other one. To rounding; where they only nearly meet, the point between them.
+Point_3 meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, bool is_above);
+
+/// Medial axis of a union of balls, or a part of it: a cell complex with shared vertices. Vertices are medial balls.
+struct Medial_complex_3 {
+  std::vector<Point_3> centers;
+  std::vector<double> radii;
+  std::vector<int> balls;         ///< per vertex the ball of the union that it is; -1 for none
+  std::vector<int> face_offsets;  ///< #faces + 1, into face_vertices
+  std::vector<int> face_vertices;
+  std::vector<std::array<Point_3, 2>> contacts;  ///< per face the two points where its medial balls touch the boundary
+  std::vector<std::array<int, 2>> edges;         ///< all, those of faces too; the lesser vertex first, ascending
+
+  std::size_t face_count() const { return contacts.size(); }
+  std::span<const int> face(std::size_t i) const {
+    return std::span(face_vertices).subspan(face_offsets[i], face_offsets[i + 1] - face_offsets[i]);
+  }
+};
+
+/// The singular faces of the dual complex, and of the Voronoi diagram of V(U) all cells that lie in the rest of it as a
+/// whole ("complete faces"). It has the homotopy type of the union. A Voronoi vertex at the center of a ball, where all
+/// its V(U) points lie on one sphere, is that by construction. O(n log n) along surfaces. [N. Amenta, R. Kolluri: The
+/// medial axis of a union of balls, 2001; B. Miklos: The Scale Axis Transform, 2010, 4.2, 6.1.3]
+Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress);
+
+/// Per face: half the distance of its contacts.
+std::vector<double> lambda_of_faces(const Medial_complex_3& axis);
+/// Per face: the angle, in degrees in (0,180], under which its contacts are seen from the point of the face that is
+/// nearest to the middle between them.
+std::vector<double> angle_of_faces(const Medial_complex_3& axis);
+
+}  // namespace mesecina

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "geometries/parallel.h"
+#include "geometries/union_3/union_3.h"
+#include "geometries/union_3/vertex_voronoi_3.h"
+
+namespace mesecina {
+
+namespace {
+
+/// A face of the Voronoi diagram as its cells, and the edge of the Delaunay triangulation that it is dual to.
+struct Voronoi_face {
+  std::array<int, 2> points{};
+  std::vector<int> nodes;
+};
+
+class Axis_builder {
+ public:
+  Axis_builder(const Union_vertices_3& vertices, Vertex_voronoi_3 voronoi, Progress& progress)
+      : dual_(*vertices.dual), regular_(*dual_.regular), voronoi_(std::move(voronoi)), progress_(progress) {}
+
+  Medial_complex_3 build() {
+    progress_.begin_stage("medial axis of the union");
+    result_.face_offsets.push_back(0);
+    node_of_ball_.assign(regular_.balls.size(), -1);
+    node_of_cell_.assign(voronoi_.cells.size(), -1);
+    find_singular_nodes();
+    find_voronoi_nodes();
+    add_singular_faces();
+    add_voronoi_faces();
+    add_voronoi_edges();
+    add_attachments();
+    std::ranges::sort(result_.edges);
+    result_.edges.erase(std::unique(result_.edges.begin(), result_.edges.end()), result_.edges.end());
+    return std::move(result_);
+  }
+
+ private:
+  int add_node(const Point_3& center, double radius, int ball) {
+    result_.centers.push_back(center);
+    result_.radii.push_back(radius);
+    result_.balls.push_back(ball);
+    return static_cast<int>(result_.centers.size()) - 1;
+  }
+  void need_ball(int ball) {
+    if (node_of_ball_[ball] < 0)
+      node_of_ball_[ball] = add_node(regular_.balls[ball].center, regular_.balls[ball].radius, ball);
+  }
+  void add_edge(int a, int b) {
+    if (a != b) result_.edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+
+  void find_singular_nodes() {
+    for (std::size_t v = 0; v < dual_.vertices.size(); ++v)
+      if (dual_.vertices[v] == Simplex_kind_3::singular) need_ball(static_cast<int>(v));
+    for (const Dual_3::Edge& edge : dual_.edges)
+      if (edge.kind == Simplex_kind_3::singular)
+        for (const int ball : edge.balls) need_ball(ball);
+    for (const Dual_3::Triangle& triangle : dual_.triangles)
+      if (triangle.kind == Simplex_kind_3::singular)
+        for (const int ball : triangle.balls) need_ball(ball);
+    // These want to be joined to the Voronoi diagram where that has no vertex at them.
+    is_loose_.assign(regular_.balls.size(), 0);
+    for (const int ball : result_.balls) is_loose_[ball] = 1;
+  }
+
+  void find_voronoi_nodes() {
+    for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
+      if (voronoi_.is_inner[c] == 0) continue;
+      const int ball = voronoi_.ball_of_cell[c];
+      if (ball >= 0) {
+        need_ball(ball);
+        is_loose_[ball] = 0;
+        node_of_cell_[c] = node_of_ball_[ball];
+      } else {
+        const Point_3& center = voronoi_.centers[c];
+        node_of_cell_[c] = add_node(center, distance(center, voronoi_.points[voronoi_.cells[c][0]]), -1);
+      }
+    }
+  }
+
+  void add_face(std::span<const int> nodes, const Point_3& contact, const Point_3& other) {
+    result_.face_vertices.insert(result_.face_vertices.end(), nodes.begin(), nodes.end());
+    result_.face_offsets.push_back(static_cast<int>(result_.face_vertices.size()));
+    result_.contacts.push_back({contact, other});
+    for (std::size_t i = 0; i < nodes.size(); ++i) add_edge(nodes[i], nodes[(i + 1) % nodes.size()]);
+  }
+
+  void add_singular_faces() {
+    for (const Dual_3::Edge& edge : dual_.edges)
+      if (edge.kind == Simplex_kind_3::singular) add_edge(node_of_ball_[edge.balls[0]], node_of_ball_[edge.balls[1]]);
+    for (const Dual_3::Triangle& triangle : dual_.triangles) {
+      if (triangle.kind != Simplex_kind_3::singular) continue;
+      std::array<int, 3> nodes{};
+      for (int i = 0; i < 3; ++i) nodes[i] = node_of_ball_[triangle.balls[i]];
+      const auto contacts = contacts_of(triangle);
+      add_face(nodes, contacts[0], contacts[1]);
+      std::ranges::sort(nodes);
+      singular_.insert(nodes);
+    }
+  }
+
+  /// The two points on all three spheres.
+  std::array<Point_3, 2> contacts_of(const Dual_3::Triangle& triangle) const {
+    return {meeting_point(regular_.balls[triangle.balls[0]], regular_.balls[triangle.balls[1]],
+                          regular_.balls[triangle.balls[2]], false),
+            meeting_point(regular_.balls[triangle.balls[0]], regular_.balls[triangle.balls[1]],
+                          regular_.balls[triangle.balls[2]], true)};
+  }
+
+  /// Around the edge between two places of a cell, if all cells there are inner and this is the first of them.
+  bool find_face(int cell, int i, int j, Voronoi_face& face) const {
+    const int a = voronoi_.cells[cell][i];
+    const int b = voronoi_.cells[cell][j];
+    face.nodes.clear();
+    int current = cell;
+    int ahead = -1;
+    for (int k = 0; k < 4; ++k)
+      if (k != i && k != j) ahead = voronoi_.cells[cell][k];
+    do {
+      if (current < cell || voronoi_.is_inner[current] == 0) return false;
+      const int node = node_of_cell_[current];
+      if (face.nodes.empty() || face.nodes.back() != node) face.nodes.push_back(node);
+      const auto& corners = voronoi_.cells[current];
+      int kept = -1;
+      int place = -1;
+      for (int k = 0; k < 4; ++k) {
+        if (corners[k] == ahead) place = k;
+        if (corners[k] != ahead && corners[k] != a && corners[k] != b) kept = corners[k];
+      }
+      current = voronoi_.neighbors[current][place];
+      ahead = kept;
+    } while (current != cell);
+    while (face.nodes.size() > 1 && face.nodes.front() == face.nodes.back()) face.nodes.pop_back();
+    face.points = {a, b};
+    return face.nodes.size() > 2;
+  }
+
+  void add_voronoi_faces() {
+    const std::size_t count = voronoi_.cells.size();
+    constexpr std::size_t block = 16384;
+    const std::size_t blocks = (count + block - 1) / block;
+    std::vector<std::vector<Voronoi_face>> found(blocks);
+    parallel_blocks(blocks, progress_, [&](std::size_t b) {
+      Voronoi_face face;
+      for (std::size_t c = b * block; c < std::min(count, (b + 1) * block); ++c) {
+        if (voronoi_.is_inner[c] == 0) continue;
+        for (int i = 0; i < 4; ++i)
+          for (int j = i + 1; j < 4; ++j)
+            if (find_face(static_cast<int>(c), i, j, face)) found[b].push_back(face);
+      }
+    });
+    for (const auto& part : found) {
+      for (const Voronoi_face& face : part) {
+        if (is_singular(face.nodes)) continue;
+        add_face(face.nodes, voronoi_.points[face.points[0]], voronoi_.points[face.points[1]]);
+      }
+    }
+  }
+
+  /// Between the two vertices of a singular triangle lies the triangle itself.
+  bool is_singular(const std::vector<int>& nodes) const {
+    if (nodes.size() != 3) return false;
+    std::array<int, 3> three{nodes[0], nodes[1], nodes[2]};
+    std::ranges::sort(three);
+    return singular_.contains(three);
+  }
+
+  void add_voronoi_edges() {
+    for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
+      if (voronoi_.is_inner[c] == 0) continue;
+      for (const int next : voronoi_.neighbors[c])
+        if (static_cast<int>(c) < next && voronoi_.is_inner[next] != 0) add_edge(node_of_cell_[c], node_of_cell_[next]);
+    }
+  }
+
+  /// A Voronoi edge that leaves the dual complex ends at the center of the ball on whose sphere its three points lie.
+  /// It is wanted where a singular face begins there.
+  void add_attachments() {
+    if (std::ranges::count(is_loose_, 1) == 0) return;
+    for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
+      if (voronoi_.is_inner[c] == 0) continue;
+      for (int i = 0; i < 4; ++i) {
+        std::array<int, 3> points{};
+        for (int k = 0; k < 3; ++k) points[k] = voronoi_.cells[c][(i + 1 + k) % 4];
+        for (const int ball : voronoi_.common_balls(points)) {
+          if (is_loose_[ball] == 0) continue;
+          add_edge(node_of_ball_[ball], node_of_cell_[c]);
+          is_loose_[ball] = 0;
+        }
+      }
+    }
+  }
+
+  const Dual_3& dual_;
+  const Regular_3& regular_;
+  const Vertex_voronoi_3 voronoi_;
+  Progress& progress_;
+  std::vector<int> node_of_ball_;
+  std::vector<int> node_of_cell_;
+  std::vector<std::uint8_t> is_loose_;  ///< per ball
+  std::set<std::array<int, 3>> singular_;
+  Medial_complex_3 result_;
+};
+
+/// Nearest to p on a planar convex polygon.
+Point_3 nearest_on_face(const Medial_complex_3& axis, std::size_t face, const Point_3& p) {
+  const auto corners = axis.face(face);
+  const Point_3& first = axis.centers[corners.front()];
+  Point_3 best = first;
+  double least = squared_distance(p, first);
+  const auto take = [&](const Point_3& q) {
+    const double d = squared_distance(p, q);
+    if (d < least) {
+      least = d;
+      best = q;
+    }
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point_3& a = axis.centers[corners[i]];
+    const Point_3& b = axis.centers[corners[(i + 1) % corners.size()]];
+    const Point_3 along = b - a;
+    const double square = dot(along, along);
+    if (square > 0) take(a + std::clamp(dot(p - a, along) / square, 0.0, 1.0) * along);
+  }
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Point_3 u = axis.centers[corners[i]] - first;
+    const Point_3 v = axis.centers[corners[i + 1]] - first;
+    const Point_3 n = cross(u, v);
+    const double square = dot(n, n);
+    if (square == 0) continue;
+    const Point_3 w = p - first;
+    const double s = dot(cross(w, v), n) / square;
+    const double t = dot(cross(u, w), n) / square;
+    if (s >= 0 && t >= 0 && s + t <= 1) take(first + s * u + t * v);
+  }
+  return best;
+}
+
+}  // namespace
+
+Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress) {
+  Vertex_voronoi_3 voronoi = vertex_voronoi(vertices, progress);
+  return Axis_builder(vertices, std::move(voronoi), progress).build();
+}
+
+std::vector<double> lambda_of_faces(const Medial_complex_3& axis) {
+  std::vector<double> lambda;
+  lambda.reserve(axis.face_count());
+  for (const auto& [p, q] : axis.contacts) lambda.push_back(distance(p, q) / 2);
+  return lambda;
+}
+
+std::vector<double> angle_of_faces(const Medial_complex_3& axis) {
+  std::vector<double> angles;
+  angles.reserve(axis.face_count());
+  for (std::size_t f = 0; f < axis.face_count(); ++f) {
+    const auto& [p, q] = axis.contacts[f];
+    const Point_3 middle = midpoint(p, q);
+    const double height = distance(middle, nearest_on_face(axis, f, middle));
+    angles.push_back(2 * std::atan2(distance(p, q) / 2, height) * 180 / std::numbers::pi);
+  }
+  return angles;
+}
+
+}  // namespace mesecina

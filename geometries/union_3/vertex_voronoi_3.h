@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometries/union_3/union_3.h"
+
+namespace mesecina {
+
+/// The Delaunay triangulation of V(U), and what its cells are in the medial axis of the union.
+struct Vertex_voronoi_3 {
+  std::vector<Point_3> points;    ///< V(U), points at equal places once
+  std::vector<int> ball_offsets;  ///< per point the balls on whose spheres it lies, ascending
+  std::vector<int> balls;
+  /// Points; -1 in place of one in cells around the hull. Empty when all points lie in a plane.
+  std::vector<std::array<int, 4>> cells;
+  std::vector<std::array<int, 4>> neighbors;
+  /// Per cell the ball on whose sphere all its points lie: its Voronoi vertex is that center. -1 for none. Of several
+  /// such balls one that has cells of full dimension.
+  std::vector<int> ball_of_cell;
+  /// Per cell: its Voronoi vertex lies in the dual complex.
+  std::vector<std::uint8_t> is_inner;
+  std::vector<Point_3> centers;  ///< per inner cell that has no ball, its circumcenter
+
+  std::span<const int> balls_of(int point) const {
+    return std::span(balls).subspan(ball_offsets[point], ball_offsets[point + 1] - ball_offsets[point]);
+  }
+  /// Balls of all these points, ascending.
+  std::vector<int> common_balls(std::span<const int> some) const;
+};
+
+/// O(n log n) along surfaces.
+Vertex_voronoi_3 vertex_voronoi(const Union_vertices_3& vertices, Progress& progress);
+
+}  // namespace mesecina
