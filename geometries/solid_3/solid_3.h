@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/inputs.h"
+#include "core/primitives.h"
 #include "core/progress.h"
 
 namespace mesecina {
@@ -14,8 +17,8 @@ namespace mesecina {
 /// What is done with a mesh that does not bound a solid as it is.
 enum class Repair {
   automatic,  ///< the mildest of the below that gives a solid
-  off,        ///< nothing: the mesh must be closed, oriented consistently up to flips of whole components, without crossings
-  wrap        ///< always an offset surface around it
+  off,  ///< nothing: the mesh must be closed, oriented consistently up to flips of whole components, without crossings
+  wrap  ///< always an offset surface around it
 };
 
 /// Answers questions about a surface; safe to ask from several threads.
@@ -23,15 +26,15 @@ class Surface_locator_3;
 
 /// A solid and the surface that bounds it.
 struct Solid_3 {
-  /// Closed, oriented with its normals outward, without crossings, except where `treatment` says otherwise. Vertices at
-  /// the same place are one.
+  /// Closed, without crossings up to rounding, oriented with its normals out of the solid. Vertices at the same place
+  /// are one, every vertex is used, every triangle has area.
   Triangle_mesh_3 surface;
   std::string treatment;             ///< what was done, for statistics: "none", "oriented", "wrapped", ...
   std::vector<std::string> remarks;  ///< a sentence each, with numbers, on what was found and what was done about it
-  int components = 0;                ///< connected components of the surface
-  /// Of the closed solid. For a handlebody of genus g: 1 - g.
-  std::int64_t euler = 0;
-  std::array<std::int64_t, 3> betti{};  ///< components, tunnels, cavities of the solid
+  int components = 0;                ///< of the surface, joined by edges
+  /// Of the closed solid: for a handlebody of genus g the Euler characteristic is 1 - g; the Betti numbers are those of
+  /// components, tunnels and cavities. None where the surface is no manifold, because it touches itself.
+  std::optional<Topology> topology;
   std::shared_ptr<const Surface_locator_3> locator;
 };
 
@@ -39,10 +42,11 @@ struct Solid_3 {
 /// area; repair off and the mesh open ...).
 Solid_3 make_solid(std::shared_ptr<const Triangle_mesh_3> mesh, Repair repair, Progress& progress);
 
-/// Per point: it lies in the solid, or on its surface (to rounding). On as many threads as `progress` allows.
+/// Per point: it lies in the solid, or on its surface. Exact for the surface as it is. O(log n) per point, on as many
+/// threads as `progress` allows.
 std::vector<std::uint8_t> are_inside(const Solid_3& solid, std::span<const Point_3> points, Progress& progress);
 
-/// Per point the distance to the surface.
+/// Per point the distance to the surface. O(log n) per point near the surface, on as many threads as `progress` allows.
 std::vector<double> distances_to_surface(const Solid_3& solid, std::span<const Point_3> points, Progress& progress);
 
 }  // namespace mesecina
