@@ -68,7 +68,7 @@ struct Picture_writer {
 struct Input_writer {
   std::string name;
   std::string extension;
-  std::string input_id;  ///< the key it writes: "points", "disks", "outline"
+  std::string input_id;  ///< the key it writes: "points", "disks", "outline", "mesh", "balls", "cloud"
   std::function<void(std::ostream&, const Inputs&)> write;
 };
 
@@ -87,6 +87,10 @@ struct Formats {
 /// Every planar format that needs no Qt: points and disks (xy xyz csv txt poff wpoff), outlines (wkt svg geojson);
 /// json csv obj ply out.
 Formats planar_formats();
+
+/// Every format of space that needs no Qt: meshes (off obj ply stl), points and balls (xyz pts pwn csv txt cin woff
+/// moff ma); json csv ply off obj ma woff moff out.
+Formats spatial_formats();
 
 /// Reads a file with the reader of its extension. Throws File_error also for a missing file, a directory, an unreadable
 /// file, an unknown extension (the message lists the known ones) and an empty file.

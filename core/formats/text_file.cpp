@@ -47,14 +47,24 @@ std::size_t Text_file::line_at(std::size_t offset) const {
   return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
 }
 
-Text_file load_text(const std::filesystem::path& path) {
+Text_file load_bytes(const std::filesystem::path& path) {
   check_is_readable_file(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw File_error(path, 0, "expected a file that may be read, found no permission; change its mode");
-  Text_file file;
-  file.path = path;
-  file.text.assign(std::istreambuf_iterator<char>(stream), {});
+  Text_file file{path, {}};
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error) file.text.resize(size);
+  stream.read(file.text.data(), static_cast<std::streamsize>(file.text.size()));
+  file.text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream) file.text.append(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw File_error(path, 0, "expected to read to the end, found an error of the disk; copy it anew");
+  if (file.text.empty()) throw File_error(path, 0, "expected data, found an empty file; write it again");
+  return file;
+}
+
+Text_file load_text(const std::filesystem::path& path) {
+  Text_file file = load_bytes(path);
   const std::string_view text = file.text;
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw File_error(path, 1, "expected UTF-8 text, found UTF-16; save it as UTF-8");

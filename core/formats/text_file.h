@@ -9,17 +9,21 @@
 
 namespace mesecina {
 
-/// A text file in memory.
+/// A file in memory.
 struct Text_file {
   std::filesystem::path path;
-  std::string text;  ///< without a byte order mark
+  std::string text;
 
   /// Line number, from 1, of the byte at `offset`. O(offset).
   std::size_t line_at(std::size_t offset) const;
 };
 
-/// Throws File_error when there is no such file, when it is a directory or another thing that is no file, may not be
-/// read, is empty or blank, or holds zero bytes and so is no text.
+/// The bytes of a file as they are. Throws File_error when there is no such file, when it is a directory or another
+/// thing that is no file, may not be read, or is empty.
+Text_file load_bytes(const std::filesystem::path& path);
+
+/// What load_bytes gives, without the byte order mark. Throws File_error also when the file is blank, or holds zero
+/// bytes and so is no text.
 Text_file load_text(const std::filesystem::path& path);
 
 /// At most 40 characters of `found` between quotes, unprintable ones as '?'; "nothing" when it is empty.
