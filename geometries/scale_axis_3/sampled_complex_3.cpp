@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <unordered_map>
+
+#include "core/outcome.h"
+#include "geometries/scale_axis_3/scale_axis_3.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr int most_rounds = 24;
+constexpr std::size_t most_balls = 20'000'000;
+
+class Sampler {
+ public:
+  Sampler(const Medial_complex_3& complex, double scale, double min_angle) : scale_(scale) {
+    constexpr double largest_angle = 179;
+    cosine_ = std::cos(std::min(min_angle, largest_angle) * std::numbers::pi / 180);
+    result_.centers = complex.centers;
+    result_.radii = complex.radii;
+    for (std::size_t f = 0; f < complex.face_count(); ++f) {
+      const auto corners = complex.face(f);
+      for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        result_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+        result_.face_of_triangle.push_back(static_cast<int>(f));
+      }
+    }
+    std::vector<std::array<int, 2>> of_faces;
+    std::vector<std::uint8_t> is_used(complex.centers.size(), 0);
+    for (std::size_t f = 0; f < complex.face_count(); ++f) {
+      const auto corners = complex.face(f);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const int a = corners[i];
+        const int b = corners[(i + 1) % corners.size()];
+        of_faces.push_back({std::min(a, b), std::max(a, b)});
+        is_used[a] = 1;
+      }
+    }
+    std::ranges::sort(of_faces);
+    for (const auto& edge : complex.edges) {
+      if (!std::ranges::binary_search(of_faces, edge)) result_.edges.push_back(edge);
+      is_used[edge[0]] = is_used[edge[1]] = 1;
+    }
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (is_used[v] == 0) result_.points.push_back(static_cast<int>(v));
+  }
+
+  Ball_complex_3 run(Progress& progress) {
+    for (int round = 0; round < most_rounds && split_once(); ++round) {
+      progress.check();
+      if (result_.centers.size() > most_balls)
+        throw Unavailable("the scale axis would get more than " + std::to_string(most_balls) +
+                          " balls; choose a smaller sampling-min-angle");
+    }
+    for (double& radius : result_.radii) radius /= scale_;
+    return std::move(result_);
+  }
+
+ private:
+  bool is_too_long(int a, int b) const {
+    const double r = result_.radii[a] / scale_;
+    const double q = result_.radii[b] / scale_;
+    const double d = distance(result_.centers[a], result_.centers[b]);
+    if (d <= std::abs(r - q)) return false;
+    return d * d - r * r - q * q > 2 * r * q * cosine_;
+  }
+
+  /// The vertex in the middle of an edge that is to be halved; -1 for others. Squared radii of medial balls are
+  /// squared distances to a point, so that those of their middle follow.
+  int middle_of(int a, int b) {
+    if (a > b) std::swap(a, b);
+    const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32U) | static_cast<std::uint32_t>(b);
+    const auto [it, is_new] = middles_.try_emplace(key, -1);
+    if (is_new && is_too_long(a, b)) {
+      it->second = static_cast<int>(result_.centers.size());
+      const double p = result_.radii[a];
+      const double q = result_.radii[b];
+      const double square = (p * p + q * q) / 2 - squared_distance(result_.centers[a], result_.centers[b]) / 4;
+      result_.centers.push_back(midpoint(result_.centers[a], result_.centers[b]));
+      result_.radii.push_back(std::sqrt(std::max(square, 0.0)));
+    }
+    return it->second;
+  }
+
+  bool split_once() {
+    middles_.clear();
+    middles_.reserve(result_.triangles.size() * 2);
+    const std::size_t before = result_.centers.size();
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> faces;
+    triangles.reserve(result_.triangles.size());
+    faces.reserve(result_.triangles.size());
+    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+      const std::size_t first = triangles.size();
+      split_triangle(result_.triangles[t], triangles);
+      faces.insert(faces.end(), triangles.size() - first, result_.face_of_triangle[t]);
+    }
+    std::vector<std::array<int, 2>> edges;
+    for (const auto& [a, b] : result_.edges) {
+      const int m = middle_of(a, b);
+      if (m < 0) {
+        edges.push_back({a, b});
+      } else {
+        edges.push_back({a, m});
+        edges.push_back({m, b});
+      }
+    }
+    result_.triangles = std::move(triangles);
+    result_.face_of_triangle = std::move(faces);
+    result_.edges = std::move(edges);
+    return result_.centers.size() > before;
+  }
+
+  void split_triangle(const std::array<int, 3>& corners, std::vector<std::array<int, 3>>& triangles) {
+    std::array<int, 3> middles{};  // across from the corners
+    int halved = 0;
+    for (int i = 0; i < 3; ++i) {
+      middles[i] = middle_of(corners[(i + 1) % 3], corners[(i + 2) % 3]);
+      halved += middles[i] >= 0 ? 1 : 0;
+    }
+    if (halved == 0) {
+      triangles.push_back(corners);
+      return;
+    }
+    if (halved == 3) {
+      for (int i = 0; i < 3; ++i) triangles.push_back({corners[i], middles[(i + 2) % 3], middles[(i + 1) % 3]});
+      triangles.push_back(middles);
+      return;
+    }
+    // Turned so that corner 0 lies across from the halved edge, or from the only one that is not.
+    int turn = 0;
+    while ((middles[turn] >= 0) != (halved == 1)) ++turn;
+    const int a = corners[turn];
+    const int b = corners[(turn + 1) % 3];
+    const int c = corners[(turn + 2) % 3];
+    if (halved == 1) {
+      const int m = middles[turn];
+      triangles.push_back({a, b, m});
+      triangles.push_back({a, m, c});
+    } else {
+      const int ca = middles[(turn + 1) % 3];
+      const int ab = middles[(turn + 2) % 3];
+      triangles.push_back({a, ab, ca});
+      triangles.push_back({ab, b, ca});
+      triangles.push_back({b, c, ca});
+    }
+  }
+
+  double scale_;
+  double cosine_ = 0;
+  std::unordered_map<std::uint64_t, int> middles_;
+  Ball_complex_3 result_;
+};
+
+}  // namespace
+
+Ball_complex_3 sampled(const Medial_complex_3& complex, double scale, double min_angle, Progress& progress) {
+  progress.begin_stage("sampling of the scale axis");
+  return Sampler(complex, scale, min_angle).run(progress);
+}
+
+}  // namespace mesecina
