@@ -11,6 +11,11 @@ Formats spatial_formats() {
       {"Wavefront meshes and points", {"obj"}, read_obj},
       {"PLY meshes, points and balls", {"ply"}, read_ply},
       {"STL meshes", {"stl"}, read_stl},
+      {"Points and balls in space, one per line", {"xyz", "pts", "pwn", "csv", "txt"}, read_spatial_table},
+      {"Weighted points", {"cin"}, read_cin},
+      {"WOFF balls", {"woff"}, read_woff},
+      {"MOFF medial axes, of which the balls are read", {"moff"}, read_moff},
+      {"MA medial meshes, of which the balls are read", {"ma"}, read_ma},
   };
   return formats;
 }

@@ -26,4 +26,27 @@ File_contents read_ply(const std::filesystem::path& path);
 /// STL, of text or binary. Equal points become one vertex.
 File_contents read_stl(const std::filesystem::path& path);
 
+/// One point or ball per line, in columns separated by blanks, tabs, commas or semicolons; "#" and "//" start comments;
+/// the first line may name the columns. Three columns x y z are points. Four are balls x y z radius in a `.csv` or
+/// `.txt` file, unless the name of the fourth says otherwise. Further columns, such as normals, are dropped with a
+/// warning. A first line with one integer is the number of points; there may be as many lines of normals after them.
+File_contents read_spatial_table(const std::filesystem::path& path);
+
+/// Weighted points, one x y z weight per line, as CGAL's skin surfaces read them: the weight is the *square* of the
+/// radius. (In the caffeine molecule of CGAL's demo the weights of H, O, N and C are 0.3 times the squares of the radii
+/// 1.25, 1.35, 1.5 and 1.65 of these atoms.)
+File_contents read_cin(const std::filesystem::path& path);
+
+/// "WOFF n 0 0" and n lines x y z radius.
+File_contents read_woff(const std::filesystem::path& path);
+
+/// A medial axis of a union of balls grown by a factor s: "MOFF n f s", n lines x y z radius, and f lines with the
+/// faces "k v1 ... vk angle lambda px py pz". Gives the balls shrunk back, with radius / s; the faces are left out with
+/// a warning.
+File_contents read_moff(const std::filesystem::path& path);
+
+/// A medial mesh as Q-MAT and MATFP write it: "n e f", n lines "v x y z radius", e lines "e i j", f lines "f i j k".
+/// Gives the balls; the edges and faces are left out with a warning.
+File_contents read_ma(const std::filesystem::path& path);
+
 }  // namespace mesecina

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/formats/column_names.h"
 #include "core/formats/number.h"
 #include "core/formats/readers.h"
 #include "core/formats/text_file.h"
@@ -30,10 +31,6 @@ Row read_row(const Text_file& file, std::size_t line, const std::vector<std::str
     row[i] = *number;
   }
   return row;
-}
-
-std::string count_of_columns(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " column" : " columns");
 }
 
 [[noreturn]] void fail_on_radius(const Text_file& file, std::size_t line, double radius, const char* expected) {
@@ -63,19 +60,6 @@ struct Table {
     return contents;
   }
 };
-
-/// The lower-case names of the columns if the line holds only words; else nothing.
-std::vector<std::string> column_names(const std::vector<std::string_view>& fields) {
-  std::vector<std::string> names;
-  for (std::string_view field : fields) {
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
-    std::string name = lower_case(field);
-    const bool is_word = !name.empty() && ((name[0] >= 'a' && name[0] <= 'z') || name[0] == '_');
-    if (!is_word || parse_number(field) || name == "nan") return {};
-    names.push_back(std::move(name));
-  }
-  return names;
-}
 
 /// Whether the names can be those of x y [radius]: unknown words can, "id x y" and "x y z" cannot.
 bool can_be_ours(const std::vector<std::string>& names, bool third_may_be_height) {
