@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "geometries/union_3/regular_3.h"
+#include "tests/geometries/shapes.h"
+#include "tests/geometries/union_3/ball_sets.h"
+#include "tests/geometries/union_3/power_oracle_3.h"
+
+namespace mesecina::test {
+namespace {
+
+testing::AssertionResult failure() { return testing::AssertionFailure(); }
+
+/// In every respect that the header promises.
+testing::AssertionResult is_regular_triangulation(const std::vector<Ball_3>& balls) {
+  Progress progress;
+  const Regular_3 regular = regular_triangulation(balls, progress);
+  if (regular.balls != balls) return failure() << "other balls";
+  const std::vector<std::uint8_t> is_concentric = are_concentric_with_another(balls);
+  std::vector<std::uint8_t> is_used(balls.size());
+  std::vector<int> shown;
+  for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
+    if (is_concentric[i] && regular.cell_of_ball[i] != -1) return failure() << "ball " << i << " is not hidden";
+    if (regular.cell_of_ball[i] != -1) shown.push_back(i);
+  }
+  const bool is_spatial = std::ranges::any_of(shown, [&](int d) {
+    return std::ranges::any_of(shown, [&](int c) {
+      return std::ranges::any_of(
+          shown, [&](int b) { return orientation(balls[shown[0]], balls[b], balls[c], balls[d]) != 0; });
+    });
+  });
+  for (int i = 0; i < static_cast<int>(regular.cells.size()); ++i) {
+    const auto& cell = regular.cells[i];
+    const auto infinite = std::ranges::count(cell, -1);
+    if (regular.is_infinite(i) != (infinite > 0)) return failure() << "is_infinite is wrong";
+    if (is_spatial && infinite > 1) return failure() << "an infinite cell in space has less than three balls";
+    for (const int ball : cell)
+      if (ball >= 0) is_used[ball] = 1;
+    for (int place = 0; place < 4; ++place) {
+      const int other = regular.neighbors[i][place];
+      if (other < 0) {
+        if (is_spatial) return failure() << "a cell has no neighbor";
+        continue;
+      }
+      const auto& neighbors = regular.neighbors[other];
+      if (is_spatial && std::ranges::count(neighbors, i) == 0) return failure() << "a neighbor does not know it";
+      for (int k = 0; k < 4; ++k)
+        if (k != place && std::ranges::find(regular.cells[other], cell[k]) == regular.cells[other].end())
+          return failure() << "a neighbor lacks a ball";
+    }
+    if (!is_spatial) continue;
+    if (infinite == 0) {
+      if (orientation(balls[cell[0]], balls[cell[1]], balls[cell[2]], balls[cell[3]]) != 1)
+        return failure() << "a cell is not positive";
+      for (int k = 0; k < static_cast<int>(balls.size()); ++k)
+        if (power_sign(balls, cell, k) < 0) return failure() << "ball " << k << " conflicts with a cell";
+    } else {
+      // No center beyond the hull.
+      std::vector<int> facet;
+      for (const int ball : cell)
+        if (ball >= 0) facet.push_back(ball);
+      bool is_above = false;
+      bool is_below = false;
+      for (const int k : shown) {
+        const int side = orientation(balls[facet[0]], balls[facet[1]], balls[facet[2]], balls[k]);
+        is_above = is_above || side > 0;
+        is_below = is_below || side < 0;
+      }
+      if (is_above && is_below) return failure() << "the hull is not convex";
+    }
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const int cell = regular.cell_of_ball[i];
+    if (is_used[i] != (cell >= 0)) return failure() << "ball " << i << " is hidden and in a cell, or neither";
+    if (cell >= 0 && std::ranges::find(regular.cells[cell], static_cast<int>(i)) == regular.cells[cell].end())
+      return failure() << "the cell of ball " << i << " lacks it";
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(Regular_3, is_what_the_header_promises) { expect_of_balls(repetitions(100), is_regular_triangulation); }
+
+/// In a cell the weights are convex; outside there is none.
+testing::AssertionResult locates(const std::vector<Ball_3>& balls) {
+  Progress progress;
+  const Regular_3 regular = regular_triangulation(balls, progress);
+  const auto count = static_cast<int>(regular.cells.size());
+  Random random(balls.size());
+  std::vector<Ball_3> queries = balls;
+  for (int i = 0; i < 10; ++i) {
+    const Point_3 p = balls[random.index(static_cast<int>(balls.size()))].center;
+    const Point_3 q = balls[random.index(static_cast<int>(balls.size()))].center;
+    queries.push_back({midpoint(p, q), 0});
+    const double x = random.uniform(-5, 5);
+    const double y = random.uniform(-5, 5);
+    const double z = random.uniform(-5, 5);
+    queries.push_back({p + Point_3{x, y, z}, 0});
+  }
+  for (const Ball_3& query : queries) {
+    const auto holds = [&](int cell) {
+      if (regular.is_infinite(cell)) return false;
+      for (int place = 0; place < 4; ++place) {
+        std::array<Ball_3, 4> corners;
+        for (int k = 0; k < 4; ++k) corners[k] = balls[regular.cells[cell][k]];
+        corners[place] = query;
+        if (orientation(corners[0], corners[1], corners[2], corners[3]) < 0) return false;
+      }
+      return true;
+    };
+    bool is_in_hull = false;
+    for (int cell = 0; cell < count; ++cell) is_in_hull = is_in_hull || holds(cell);
+    if (count == 0) continue;
+    for (const int start : {0, random.index(count), random.index(count)}) {
+      const int found = locate(regular, query.center, start);
+      if (is_in_hull ? found < 0 || !holds(found) : found != -1)
+        return failure() << "located in " << found << ": " << to_text({query});
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(Regular_3, locates_points) { expect_of_balls(repetitions(40), locates); }
+
+}  // namespace
+}  // namespace mesecina::test
