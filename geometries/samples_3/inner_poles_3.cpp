@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "core/outcome.h"
+#include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 #include "geometries/samples_3/samples_3.h"
 
@@ -83,7 +84,10 @@ std::vector<int> sides_in_common(const Voronoi_vertices& voronoi, double coverin
     for (const int next : voronoi.neighbors[c]) {
       if (next <= static_cast<int>(c) || !(voronoi.radii[next] > covering_radius)) continue;
       const double reach = free + voronoi.radii[next] - covering_radius;
-      if (distance(voronoi.centers[c], voronoi.centers[next]) < reach) parent[find(static_cast<int>(c))] = find(next);
+      // Of vertices that are far away coordinates have few digits.
+      constexpr double certain = 1 - 1e-9;
+      if (distance(voronoi.centers[c], voronoi.centers[next]) < certain * reach)
+        parent[find(static_cast<int>(c))] = find(next);
     }
   }
   for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = find(static_cast<int>(c));
@@ -164,10 +168,7 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Solid_3&
     const double r = voronoi.radii[c];
     const std::uint64_t number = 3 * balls.size();
     const Point_3 shift{scatter(number), scatter(number + 1), scatter(number + 2)};
-    const Point_3 center = voronoi.centers[c] + (perturbation * r) * shift;
-    double nearest = distance(center, samples.points[voronoi.samples[c][0]]);
-    for (const int sample : voronoi.samples[c]) nearest = std::min(nearest, distance(center, samples.points[sample]));
-    balls.push_back({center, nearest});
+    balls.push_back({voronoi.centers[c] + (perturbation * r) * shift, r});
   }
   if (balls.empty())
     throw Unavailable("no Voronoi vertex of the " + std::to_string(samples.points.size()) +

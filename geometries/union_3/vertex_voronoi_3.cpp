@@ -7,11 +7,11 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 
 namespace mesecina {
@@ -122,32 +122,6 @@ void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progr
   }
 }
 
-/// Where a cell's four points have the same distance; no number for one that is too flat.
-Point_3 circumcenter(const std::array<Point_3, 4>& p) {
-  using Long = long double;
-  const auto difference = [&](int i) {
-    return std::array<Long, 3>{Long(p[i].x) - p[0].x, Long(p[i].y) - p[0].y, Long(p[i].z) - p[0].z};
-  };
-  const auto cross_product = [](const std::array<Long, 3>& u, const std::array<Long, 3>& v) {
-    return std::array<Long, 3>{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  };
-  const auto dot_product = [](const std::array<Long, 3>& u, const std::array<Long, 3>& v) {
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-  };
-  const auto a = difference(1);
-  const auto b = difference(2);
-  const auto c = difference(3);
-  const auto bc = cross_product(b, c);
-  const auto ca = cross_product(c, a);
-  const auto ab = cross_product(a, b);
-  const Long twice = 2 * dot_product(a, bc);
-  const auto coordinate = [&](int k, double origin) {
-    const Long sum = dot_product(a, a) * bc[k] + dot_product(b, b) * ca[k] + dot_product(c, c) * ab[k];
-    return static_cast<double>(origin + sum / twice);
-  };
-  return {coordinate(0, p[0].x), coordinate(1, p[0].y), coordinate(2, p[0].z)};
-}
-
 void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progress) {
   const Regular_3& regular = *dual.regular;
   const std::size_t count = result.cells.size();
@@ -162,7 +136,6 @@ void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progres
     }
     const Point_3 center = circumcenter(
         {result.points[corners[0]], result.points[corners[1]], result.points[corners[2]], result.points[corners[3]]});
-    if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
     const int start = regular.cell_of_ball[result.balls_of(corners[0]).front()];
     const int cell = locate(regular, center, start);
     if (cell < 0 || dual.has_cell[cell] == 0) return;
