@@ -114,6 +114,7 @@ void write_settings(Json_text& json, const std::map<std::string, Setting_value>&
 
 void write_primitives(Json_text& json, const Primitive_set& set) {
   json.key("vertices").array(set.vertices.size(), [&](std::size_t i) { json.vector(set.vertices[i], set.dimension); });
+  json.member_array("radii", set.radii.size(), [&](std::size_t i) { json.number(set.radii[i]); });
   json.member_array("points", set.points.size(), [&](std::size_t i) { json.number(std::int64_t{set.points[i]}); });
   json.member_array("segments", set.segments.size(), [&](std::size_t i) { json.vertices(set.segments[i]); });
   json.member_array("rays", set.rays.size(), [&](std::size_t i) {

@@ -27,7 +27,15 @@ void write_arcs(Buffered_text& text, const Primitive_set& set) {
   }
 }
 
-void write_polygons(Buffered_text& text, const Primitive_set& set) {
+void write_polygons_of_space(Buffered_text& text, const Primitive_set& set) {
+  for (std::size_t i = 0; i < set.polygon_count(); ++i) {
+    text << "f";
+    for (const int vertex : set.polygon(i)) text << " " << vertex + 1;
+    text << "\n";
+  }
+}
+
+void write_polygons_of_plane(Buffered_text& text, const Primitive_set& set) {
   if (set.polygon_count() == 0) return;
   text << "# " << set.polygon_count() << " polygons, filled together by the even-odd rule, as closed lines\n";
   for (std::size_t i = 0; i < set.polygon_count(); ++i) {
@@ -51,7 +59,10 @@ void write_obj_layer(std::ostream& stream, const Layer_document& document) {
   if (!set.rays.empty()) text << "# " << set.rays.size() << " rays are left out\n";
   write_arcs(text, set);
   for (const auto& [p, q, r] : set.triangles) text << "f " << p + 1 << " " << q + 1 << " " << r + 1 << "\n";
-  write_polygons(text, set);
+  if (set.dimension == 3)
+    write_polygons_of_space(text, set);
+  else
+    write_polygons_of_plane(text, set);
   const char* kind = set.dimension == 3 ? "ball" : "disk";
   for (const Ball& ball : set.balls)
     text << "# " << kind << " of radius " << ball.radius << "\np " << ball.center + 1 << "\n";

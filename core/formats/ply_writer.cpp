@@ -4,12 +4,14 @@
 #include <bit>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/formats/arc_polyline.h"
 #include "core/formats/buffered_text.h"
+#include "core/formats/layer_balls.h"
 #include "core/formats/writers.h"
 
 namespace mesecina {
@@ -22,7 +24,7 @@ struct Ply_mesh {
   std::vector<std::size_t> vertex_elements;  ///< per vertex, or empty: vertices have no values
   std::vector<std::array<int, 2>> edges;
   std::vector<std::size_t> edge_elements;
-  std::vector<std::array<int, 3>> faces;
+  std::vector<std::span<const int>> faces;
   std::vector<std::size_t> face_elements;
 
   void add_edge(int from, int to, std::size_t element) {
@@ -37,8 +39,11 @@ bool has_only_points_and_balls(const Primitive_set& set) {
 
 Ply_mesh cloud(const Primitive_set& set) {
   Ply_mesh mesh;
-  for (const int vertex : set.points) mesh.vertices.push_back(set.vertices[vertex]);
-  if (!set.balls.empty()) mesh.radii.assign(set.points.size(), 0);
+  for (const int vertex : set.points) {
+    mesh.vertices.push_back(set.vertices[vertex]);
+    if (!set.radii.empty()) mesh.radii.push_back(set.radii[vertex]);
+  }
+  if (!set.balls.empty()) mesh.radii.resize(set.points.size(), 0);
   for (const Ball& ball : set.balls) {
     mesh.vertices.push_back(set.vertices[ball.center]);
     mesh.radii.push_back(ball.radius);
@@ -65,16 +70,21 @@ Ply_mesh complex(const Primitive_set& set) {
   element += set.rays.size();
   for (const Arc& arc : set.arcs) add_arc(mesh, set, arc, element++);
   for (const std::array<int, 3>& triangle : set.triangles) {
-    mesh.faces.push_back(triangle);
+    mesh.faces.emplace_back(triangle);
     mesh.face_elements.push_back(element++);
   }
   for (std::size_t i = 0; i < set.polygon_count(); ++i, ++element) {
     const auto polygon = set.polygon(i);
+    if (set.dimension == 3) {
+      mesh.faces.push_back(polygon);
+      mesh.face_elements.push_back(element);
+      continue;
+    }
     for (std::size_t j = 0; j < polygon.size(); ++j)
       mesh.add_edge(polygon[j], polygon[(j + 1) % polygon.size()], element);
   }
-  if (!set.balls.empty()) mesh.radii.assign(mesh.vertices.size(), 0);
-  for (const Ball& ball : set.balls) mesh.radii[ball.center] = std::max(mesh.radii[ball.center], ball.radius);
+  mesh.radii = vertex_radii(set);
+  if (!mesh.radii.empty()) mesh.radii.resize(mesh.vertices.size(), 0);
   return mesh;
 }
 
@@ -99,7 +109,10 @@ std::vector<std::string> property_names(const std::vector<Values>& values) {
 class Ply_writer {
  public:
   Ply_writer(std::ostream& stream, const Ply_mesh& mesh, const std::vector<Values>& values)
-      : text_(stream), mesh_(mesh), values_(values), names_(property_names(values)) {}
+      : text_(stream), mesh_(mesh), values_(values), names_(property_names(values)) {
+    constexpr std::size_t most_in_a_byte = 255;
+    has_long_faces_ = std::ranges::any_of(mesh.faces, [](const auto& face) { return face.size() > most_in_a_byte; });
+  }
 
   void write(const std::vector<std::string>& comments) {
     text_ << "ply\nformat binary_little_endian 1.0\n";
@@ -108,7 +121,8 @@ class Ply_writer {
     if (!mesh_.radii.empty()) text_ << "property double radius\n";
     if (!mesh_.vertex_elements.empty()) declare_values();
     if (!mesh_.faces.empty()) {
-      declare("face", mesh_.faces.size(), "property list uchar int vertex_indices\n");
+      declare("face", mesh_.faces.size(),
+              has_long_faces_ ? "property list int int vertex_indices\n" : "property list uchar int vertex_indices\n");
       declare_values();
     }
     if (!mesh_.edges.empty()) {
@@ -118,7 +132,11 @@ class Ply_writer {
     text_ << "end_header\n";
     write_vertices();
     for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
-      write_bytes(std::uint8_t{3});
+      const std::size_t count = mesh_.faces[i].size();
+      if (has_long_faces_)
+        write_bytes(static_cast<std::uint32_t>(count));
+      else
+        write_bytes(static_cast<std::uint8_t>(count));
       for (const int vertex : mesh_.faces[i]) write_bytes(static_cast<std::uint32_t>(vertex));
       write_values(mesh_.face_elements[i]);
     }
@@ -161,6 +179,7 @@ class Ply_writer {
   const Ply_mesh& mesh_;
   const std::vector<Values>& values_;
   std::vector<std::string> names_;
+  bool has_long_faces_ = false;
 };
 
 std::vector<std::string> comments_on(const Layer_document& document, const Primitive_set& set) {
@@ -171,7 +190,7 @@ std::vector<std::string> comments_on(const Layer_document& document, const Primi
   if (!set.arcs.empty()) {
     comments.push_back(std::to_string(set.arcs.size()) + " arcs as polylines with at most 1 degree per segment");
   }
-  if (set.polygon_count() != 0) {
+  if (set.dimension == 2 && set.polygon_count() != 0) {
     comments.push_back(std::to_string(set.polygon_count()) +
                        " polygons, filled together by the even-odd rule, as closed lines");
   }

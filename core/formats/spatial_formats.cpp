@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format.h"
 #include "core/formats/spatial_readers.h"
+#include "core/formats/writers.h"
 
 namespace mesecina {
 
@@ -16,6 +17,33 @@ Formats spatial_formats() {
       {"WOFF balls", {"woff"}, read_woff},
       {"MOFF medial axes, of which the balls are read", {"moff"}, read_moff},
       {"MA medial meshes, of which the balls are read", {"ma"}, read_ma},
+  };
+  formats.layer_writers = {
+      {"json", "json", "everything about a layer, losslessly; the default", write_json_layer},
+      {"csv", "csv",
+       "a table of elements: element, kind, id, coordinates x0 y0 z0 x1 y1 z1 (rays: start and direction; triangles: "
+       "three corners), radius, values; polygons as ring",
+       write_csv_layer},
+      {"ply", "ply",
+       "binary: vertices with radius, triangles and polygons as faces, and edges, with their values; no rays",
+       write_ply_layer},
+      {"off", "off", "vertices, triangles and polygons; segments as faces of two vertices; no radii, no values",
+       write_off_layer},
+      {"obj", "obj", "Wavefront: points, lines, triangles and polygons; balls as their centers, no rays, no values",
+       write_obj_layer},
+      {"ma", "ma",
+       "medial mesh of Q-MAT, MATFP and Blender's MAT add-on: vertices with radius, edges, triangles; only for layers "
+       "with radii",
+       write_ma_layer},
+      {"woff", "woff", "the balls of a layer, x y z radius", write_woff_layer},
+      {"moff", "moff", "the balls of a layer as a medial axis without faces", write_moff_layer},
+  };
+  formats.input_writers = {
+      {"woff", "woff", std::string(balls_input.id), write_woff_balls},
+      {"csv", "csv", std::string(balls_input.id), write_csv_balls},
+      {"ma", "ma", std::string(balls_input.id), write_ma_balls},
+      {"xyz", "xyz", std::string(cloud_input.id), write_xyz_cloud},
+      {"off", "off", std::string(mesh_input.id), write_off_mesh},
   };
   return formats;
 }

@@ -7,7 +7,8 @@
 
 namespace mesecina {
 
-/// The JSON of a layer: keys in a fixed order, an array without entries is omitted except `vertices`. Doubles are in
+/// The JSON of a layer: keys in a fixed order, an array without entries is omitted except `vertices`; `radii` are those
+/// of the medial balls of the vertices. Doubles are in
 /// shortest round-trip form, +infinity is "inf", not-a-number "nan". A million vertices take about half a second.
 void write_json_layer(std::ostream& stream, const Layer_document& document);
 
@@ -19,17 +20,33 @@ void write_json_layer(std::ostream& stream, const Layer_document& document);
 void write_csv_layer(std::ostream& stream, const Layer_document& document);
 
 /// Wavefront OBJ: v, p, l and f. A disk is its center after a comment with its radius; an arc is a polyline with at
-/// most one degree per segment; a polygon is a closed line, as OBJ has no even-odd holes; rays are left out and counted
-/// in a comment. A layer in the plane has z = 0.
+/// most one degree per segment; a polygon of the plane is a closed line, as OBJ has no even-odd holes, and one of space
+/// a face; rays are left out and counted in a comment. A layer in the plane has z = 0.
 void write_obj_layer(std::ostream& stream, const Layer_document& document);
 
 /// Binary little-endian PLY. If every element is a point or ball there is one vertex per element, with the values (and
-/// the radius, 0 for points) as properties. Else every vertex of the layer is written once (with the radius of the
-/// largest ball there, 0 for none, if there are balls), triangles are faces, and segments, arcs (polylines with at most
-/// one degree per edge) and polygons (closed) are edges, both with the values of their element. Rays, and values of
-/// points and balls of such a layer, are left out and counted in a comment. The name of a value keeps only letters,
-/// digits, '-' and '_'.
+/// the radius, 0 for points) as properties. Else every vertex of the layer is written once (with its radius as
+/// vertex_radii gives it, if there are any), triangles are faces, and segments, arcs (polylines with at most one degree
+/// per edge) and polygons (closed) are edges, both with the values of their element; but polygons of space are faces,
+/// after the triangles. Rays, and values of points and balls of such a layer, are left out and counted in a comment. The
+/// name of a value keeps only letters, digits, '-' and '_'.
 void write_ply_layer(std::ostream& stream, const Layer_document& document);
+
+/// OFF of text: all vertices, then segments as faces of two vertices, triangles and polygons. Points and balls are only
+/// their vertices; rays and arcs are left out. What is lost is said in comments, which follow the first line.
+void write_off_layer(std::ostream& stream, const Layer_document& document);
+
+/// Medial mesh as Q-MAT, MATFP and the MAT add-on of Blender read it: "n e f", vertices "v x y z radius", edges "e i j"
+/// (segments, and the edges of faces, each once, in increasing order), faces "f i j k" (triangles, and polygons as fans
+/// of their first vertex). Radii are those of vertex_radii; a layer of balls alone has a vertex per ball. A layer
+/// without radii and balls has "0 0 0" and a comment that says why. All comments are at the end, as those programs know
+/// none.
+void write_ma_layer(std::ostream& stream, const Layer_document& document);
+
+/// The layer's balls, as layer_balls gives them: "WOFF n 0 0", or "MOFF n 0 1" (no faces, not grown), and n lines
+/// x y z radius. Comments at the end say what is left out.
+void write_woff_layer(std::ostream& stream, const Layer_document& document);
+void write_moff_layer(std::ostream& stream, const Layer_document& document);
 
 /// The writers of inputs do nothing else than writing one key; without it they write the same as for an empty value.
 /// Numbers must be finite. Rings must be as the readers make them: no vertex equal to the next one around the ring and
@@ -38,6 +55,12 @@ void write_xy_points(std::ostream& stream, const Inputs& inputs);
 void write_poff_points(std::ostream& stream, const Inputs& inputs);
 void write_wpoff_disks(std::ostream& stream, const Inputs& inputs);
 void write_csv_disks(std::ostream& stream, const Inputs& inputs);
+void write_woff_balls(std::ostream& stream, const Inputs& inputs);
+void write_ma_balls(std::ostream& stream, const Inputs& inputs);
+void write_csv_balls(std::ostream& stream, const Inputs& inputs);
+void write_xyz_cloud(std::ostream& stream, const Inputs& inputs);
+/// A mesh without triangles comes back as a cloud.
+void write_off_mesh(std::ostream& stream, const Inputs& inputs);
 
 /// Rings become the outer rings and holes of polygons by how they contain one another. Every ring keeps its first
 /// vertex and direction; holes are written after their outer ring. Rings that cross each other or themselves have no
