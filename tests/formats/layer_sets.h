@@ -26,9 +26,13 @@ inline Primitive_set one_of_each() {
   return set;
 }
 
+/// By the writer of the planar formats, or if they have none of this name, of the formats of space.
 inline std::string written(std::string_view format, const Layer_document& document) {
   std::ostringstream stream;
-  planar_formats().find_layer_writer(format)->write(stream, document);
+  const Formats planar = planar_formats();
+  const Formats spatial = spatial_formats();
+  const Layer_writer* writer = planar.find_layer_writer(format);
+  (writer ? writer : spatial.find_layer_writer(format))->write(stream, document);
   return stream.str();
 }
 

@@ -5,10 +5,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace mesecina {
 
-Temporary_folder::Temporary_folder() {
+Temporary_folder::Temporary_folder(Formats formats) : formats_(std::move(formats)) {
   for (int attempt = 0; path_.empty(); ++attempt) {
     const auto path = std::filesystem::temp_directory_path() /
                       ("mesecina-" + std::to_string(getpid()) + "-" + std::to_string(attempt));
@@ -26,7 +27,7 @@ std::filesystem::path Temporary_folder::write(std::string_view name, std::string
 }
 
 File_contents Temporary_folder::read(std::string_view name, std::string_view text) const {
-  return read_file(planar_formats(), write(name, text));
+  return read_file(formats_, write(name, text));
 }
 
 std::string Temporary_folder::error(std::string_view name, std::string_view text) const {
