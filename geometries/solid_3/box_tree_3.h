@@ -45,6 +45,11 @@ class Box_tree_3 {
   /// whose own box meets. Stops when visit returns false. In the order of positions.
   template <class Meets, class Visit>
   void visit(const Meets& meets, const Visit& visit) const {
+    visit_from(0, meets, visit);
+  }
+  /// The same from position `first` on.
+  template <class Meets, class Visit>
+  void visit_from(int first, const Meets& meets, const Visit& visit) const {
     if (nodes_.empty()) return;
     std::array<int, depth_limit> stack;
     std::size_t size = 0;
@@ -52,9 +57,10 @@ class Box_tree_3 {
     while (size > 0) {
       const int k = stack[--size];
       const Node& node = nodes_[k];
-      if (!meets(node.box)) continue;
+      const int end = node.first + node.count;
+      if (end <= first || !meets(node.box)) continue;
       if (node.count <= leaf_size) {
-        for (int i = node.first; i < node.first + node.count; ++i)
+        for (int i = std::max(first, node.first); i < end; ++i)
           if (!visit(i)) return;
       } else {
         stack[size++] = right_child(k);

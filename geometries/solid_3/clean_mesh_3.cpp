@@ -27,20 +27,6 @@ std::uint64_t hash(const Point_3& p) {
   return result;
 }
 
-/// Per vertex the first one at its place.
-std::vector<int> first_at_place(const std::vector<Point_3>& vertices) {
-  std::vector<int> table(std::bit_ceil(2 * vertices.size() + 1), -1);
-  const std::size_t mask = table.size() - 1;
-  std::vector<int> first(vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    std::size_t slot = hash(vertices[v]) & mask;
-    while (table[slot] >= 0 && vertices[table[slot]] != vertices[v]) slot = (slot + 1) & mask;
-    if (table[slot] < 0) table[slot] = static_cast<int>(v);
-    first[v] = table[slot];
-  }
-  return first;
-}
-
 /// Numbers vertices by their places, in the order of vertices, and leaves out triangles that are none.
 void weld(const Triangle_mesh_3& mesh, Clean_mesh_3& result) {
   const std::vector<int> first = first_at_place(mesh.vertices);
@@ -149,6 +135,19 @@ void remove_duplicates(Clean_mesh_3& result) {
 }
 
 }  // namespace
+
+std::vector<int> first_at_place(const std::vector<Point_3>& vertices) {
+  std::vector<int> table(std::bit_ceil(2 * vertices.size() + 1), -1);
+  const std::size_t mask = table.size() - 1;
+  std::vector<int> first(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    std::size_t slot = hash(vertices[v]) & mask;
+    while (table[slot] >= 0 && vertices[table[slot]] != vertices[v]) slot = (slot + 1) & mask;
+    if (table[slot] < 0) table[slot] = static_cast<int>(v);
+    first[v] = table[slot];
+  }
+  return first;
+}
 
 void remove_unused_vertices(Triangle_mesh_3& mesh) {
   std::vector<int> number(mesh.vertices.size(), -1);

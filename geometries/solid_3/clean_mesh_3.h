@@ -21,6 +21,9 @@ struct Clean_mesh_3 {
 /// them goes as a whole where what is around it is closed without it (a wall between two boxes that share it). O(n).
 Clean_mesh_3 clean_mesh(const Triangle_mesh_3& mesh);
 
+/// Per vertex the first one at its place. O(n).
+std::vector<int> first_at_place(const std::vector<Point_3>& vertices);
+
 /// Renumbers the others in their order. O(n).
 void remove_unused_vertices(Triangle_mesh_3& mesh);
 

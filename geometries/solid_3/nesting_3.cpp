@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/solid_3/nesting_3.h"
 
+#include <algorithm>
 #include <map>
 
 namespace mesecina {
@@ -14,10 +15,9 @@ Nesting_3 find_nesting(const Surface_locator_3& locator, const std::vector<int>&
     const int own = component[order[i]];
     if (is_done[own]) continue;
     const Corners_3& triangle = locator.corners()[i];
+    const int side = side_of_ray(triangle);
+    if (side == 0) continue;
     const Exact_place place = Exact_place::middle_of(triangle);
-    const int turn = place.turn_of(triangle);
-    // A ray upwards would not leave a vertical one.
-    if (turn == 0) continue;
     progress.check();
     is_done[own] = 1;
     std::map<int, int> winding;
@@ -27,8 +27,8 @@ Nesting_3 find_nesting(const Surface_locator_3& locator, const std::vector<int>&
                            if (direction != 0) winding[component[order[j]]] += direction;
                            return true;
                          });
-    // Above the triangle it is what the ray says, below it the triangle adds its own turn.
-    result.is_inward[own] = winding[own] + (winding[own] == 0 ? turn : 0) < 0 ? 1 : 0;
+    // On one side of the triangle it is what the ray says, on the other one the triangle adds to it.
+    result.is_inward[own] = std::min(winding[own], winding[own] + side) < 0 ? 1 : 0;
     for (const auto& [other, times] : winding)
       if (other != own && times != 0) ++result.depth[own];
   }

@@ -13,7 +13,7 @@ namespace mesecina {
 /// The triangles of a surface in a hierarchy. Safe to ask from several threads.
 class Surface_locator_3 {
  public:
-  /// All triangles must have area. O(n log n).
+  /// O(n log n).
   Surface_locator_3(const Triangle_mesh_3& surface, Progress& progress);
 
   /// The point is on the surface, or the surface winds around it a positive number of times. Exact for a closed
