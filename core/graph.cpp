@@ -35,6 +35,8 @@ struct Graph::Node {
   std::shared_ptr<void> value;
   std::string reason;
   std::vector<std::string> warnings;
+  std::map<std::string, double> measures;
+  std::map<std::string, std::string> notes;
   std::vector<Read> reads;
   std::uint64_t computed_at = 0;  ///< revision of the graph; 0: never
   std::uint64_t verified_at = 0;
@@ -127,6 +129,14 @@ void Context::warn(std::string text) {
   if (frame_.node) frame_.node->warnings.push_back(std::move(text));
 }
 
+void Context::measure(std::string name, double value) {
+  if (frame_.node) frame_.node->measures[std::move(name)] = value;
+}
+
+void Context::note(std::string name, std::string text) {
+  if (frame_.node) frame_.node->notes[std::move(name)] = std::move(text);
+}
+
 Graph::Graph(std::shared_ptr<const Registry> registry) : state_(std::make_unique<State>()) {
   state_->registry = std::move(registry);
 }
@@ -214,6 +224,8 @@ void Graph::State::compute(Graph& graph, std::string_view id, Node& n) {
   n.value = nullptr;
   n.reason.clear();
   n.warnings.clear();
+  n.measures.clear();
+  n.notes.clear();
   n.reads.clear();
   n.computed_at = 0;
   const Mark running(n.running);
@@ -286,6 +298,18 @@ Element_description Graph::describe(std::string_view layer_id, std::size_t eleme
 
 bool Graph::is_current(std::string_view layer_id) {
   return state_->is_current(std::string(layer_prefix) + std::string(layer_id));
+}
+
+std::map<std::string, double> Graph::measures() const {
+  std::map<std::string, double> result;
+  for (const auto& [id, node] : state_->nodes) result.insert(node.measures.begin(), node.measures.end());
+  return result;
+}
+
+std::map<std::string, std::string> Graph::notes() const {
+  std::map<std::string, std::string> result;
+  for (const auto& [id, node] : state_->nodes) result.insert(node.notes.begin(), node.notes.end());
+  return result;
 }
 
 std::vector<std::string> Graph::warnings(std::string_view layer_id) const {

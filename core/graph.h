@@ -41,6 +41,10 @@ class Context {
   Progress& progress();
   /// A remark for the user that is no failure ("12 of 1000 points are duplicates"); kept with the result.
   void warn(std::string text);
+  /// A number reached that statistics shall tell ("hausdorff"); kept with the result.
+  void measure(std::string name, double value);
+  /// A fact that statistics shall tell ("repair": "oriented"); kept with the result.
+  void note(std::string name, std::string text);
 
  private:
   friend class Graph;
@@ -95,6 +99,10 @@ class Graph {
   void clear_stages();
   /// Warnings of all structures that the layer rests on, each once.
   std::vector<std::string> warnings(std::string_view layer_id) const;
+  /// What all structures that have been computed so far have measured.
+  std::map<std::string, double> measures() const;
+  /// What all structures that have been computed so far have noted.
+  std::map<std::string, std::string> notes() const;
   /// How often the function of a structure or layer has run; for tests and statistics.
   std::uint64_t computations(std::string_view id) const;
 

@@ -75,6 +75,10 @@ struct Module_spec {
 /// All that geometry modules declare. Built once at start, then shared read-only.
 class Registry {
  public:
+  /// dimension: of the space that the modules are about.
+  explicit Registry(int dimension = 2) : dimension_(dimension) {}
+  int dimension() const { return dimension_; }
+
   /// Everything added after this call belongs to this module.
   void begin_module(Module_spec module);
 
@@ -119,6 +123,7 @@ class Registry {
  private:
   void add(Structure_spec spec);
 
+  int dimension_;
   std::vector<Module_spec> modules_;
   std::vector<Structure_spec> structures_;
   std::vector<Layer_spec> layers_;

@@ -185,7 +185,8 @@ void Batch::write_layers(const fs::path& file, Graph& graph, Input_statistics& s
     for (const std::string& name : command_line_.formats) {
       const Layer_writer* writer = formats_.find_layer_writer(name);
       if (!writer) continue;
-      const Layer_document document{id, file.filename().string(), settings, primitives.get(), outcome.reason};
+      const Layer_document document{
+          id, file.filename().string(), settings, primitives.get(), outcome.reason, registry_->dimension()};
       write_file(target(file, "." + id + "." + writer->extension),
                  [&](std::ostream& stream) { writer->write(stream, document); });
     }
@@ -240,6 +241,8 @@ Input_statistics Batch::compute(const fs::path& file) {
     fs::remove(record_of(file));
     write_layers(file, graph, statistics);
     for (const Graph::Stage& stage : graph.stages()) statistics.seconds[stage.id] += stage.seconds;
+    statistics.errors = graph.measures();
+    statistics.notes = graph.notes();
     write_file(record_of(file), [&](std::ostream& stream) { stream << fingerprint(file); });
   } catch (const File_error& error) {
     statistics.failed = true;

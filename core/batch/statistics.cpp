@@ -43,6 +43,8 @@ std::string to_json_line(const Input_statistics& statistics) {
   json["counts"] = statistics.counts;
   json["layers"] = Json::object();
   for (const auto& [id, text] : statistics.layers) json["layers"][id] = Json::parse(text);
+  if (!statistics.errors.empty()) json["error"] = statistics.errors;
+  if (!statistics.notes.empty()) json["notes"] = statistics.notes;
   json["warnings"] = statistics.warnings;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -19,6 +19,8 @@ struct Input_statistics {
   std::map<std::string, double> seconds;                    ///< "total", "read", "write", and one per stage
   std::map<std::string, std::uint64_t> counts;              ///< of the input
   std::vector<std::pair<std::string, std::string>> layers;  ///< id and its JSON object
+  std::map<std::string, double> errors;                     ///< reached, relative to the diagonal
+  std::map<std::string, std::string> notes;                 ///< on what was done to the input
   std::vector<std::string> warnings;
 };
 

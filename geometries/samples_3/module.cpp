@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/samples_3/module.h"
+
+#include "core/formats/number.h"
+#include "core/graph.h"
+#include "geometries/primitives_3.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr const char* repair_automatic = "auto";
+constexpr const char* repair_off = "off";
+constexpr const char* repair_wrap = "wrap";
+
+Solid_3 compute_solid(Context& context) {
+  const auto mesh = context.input(mesh_input);
+  if (!mesh) throw Unavailable("there is no mesh: open one (off, obj, ply or stl)");
+  const std::string name = context.setting(repair_setting);
+  const Repair repair = name == repair_off ? Repair::off : name == repair_wrap ? Repair::wrap : Repair::automatic;
+  Solid_3 solid = make_solid(mesh, repair, context.progress());
+  context.note("repair", solid.treatment);
+  for (const std::string& remark : solid.remarks) context.warn(remark);
+  return solid;
+}
+
+Surface_samples_3 compute_samples(Context& context) {
+  const auto solid = context.get(solid_3_key);
+  Box box;
+  for (const Point_3& p : solid->surface.vertices) box.add(p);
+  return sample_surface(solid->surface, context.setting(delta_setting) * box.diagonal(), context.progress());
+}
+
+std::vector<Ball_3> compute_balls(Context& context) {
+  if (const auto given = context.input(balls_input); given && !given->empty()) return *given;
+  if (!context.input(mesh_input) && context.input(cloud_input))
+    throw Unavailable("there are points but no mesh and no balls: balls from points alone are not there yet");
+  const auto solid = context.get(solid_3_key);
+  return inner_poles(*context.get(surface_samples_3_key), *solid, context.setting(perturbation_setting),
+                     context.progress());
+}
+
+void add_settings(Registry& registry) {
+  {
+    Setting_spec setting;
+    setting.id = repair_setting.id;
+    setting.label = "Repair";
+    setting.help =
+        "What is done with a mesh that does not bound a solid. auto: the mildest treatment that gives one. off: "
+        "nothing; "
+        "such a mesh is refused. wrap: always a surface around it.";
+    setting.default_value = std::string(repair_automatic);
+    setting.choices = {repair_automatic, repair_off, repair_wrap};
+    setting.tags = {"mesh"};
+    registry.add_setting(std::move(setting));
+  }
+  {
+    Setting_spec setting;
+    setting.id = delta_setting.id;
+    setting.label = "Sampling distance";
+    setting.help =
+        "Every point of the surface has a sample within this distance. Smaller: more balls, a finer approximation; "
+        "half "
+        "of it gives four times the balls. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.1]";
+    setting.unit = "fraction of the diagonal";
+    setting.default_value = 0.01;
+    setting.minimum = 1e-5;
+    setting.maximum = 0.5;
+    setting.tags = {"balls", "density"};
+    registry.add_setting(std::move(setting));
+  }
+  {
+    Setting_spec setting;
+    setting.id = perturbation_setting.id;
+    setting.label = "Perturbation of poles";
+    setting.help =
+        "The centers of balls that come from a mesh are moved by up to this part of their radius, always in the same "
+        "way. "
+        "Many of them go through one sample, where rounding would decide on how their union is connected. Given balls "
+        "are never moved. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.3]";
+    setting.unit = "fraction of the radius";
+    setting.default_value = 1e-4;
+    setting.minimum = 0;
+    setting.maximum = 0.1;
+    setting.tags = {"balls"};
+    registry.add_setting(std::move(setting));
+  }
+}
+
+}  // namespace
+
+void register_samples_3(Registry& registry) {
+  registry.begin_module({"samples-3", "Balls of a mesh", "A solid, samples of its surface, and balls inside it."});
+  add_settings(registry);
+  registry.add_structure<Solid_3>(solid_3_key, compute_solid);
+  registry.add_structure<Surface_samples_3>(surface_samples_3_key, compute_samples);
+  registry.add_structure<std::vector<Ball_3>>(balls_3_key, compute_balls);
+  const char* stage = "Balls";
+  registry.add_layer(make_layer("solid", "Solid", stage,
+                                "The closed surface that stands for the mesh, oriented outward, as repair says.",
+                                {150, 160, 175}, [](Context& context) {
+                                  const auto solid = context.get(solid_3_key);
+                                  Primitive_set set = primitives_in_space();
+                                  set.vertices = solid->surface.vertices;
+                                  set.triangles = solid->surface.triangles;
+                                  set.is_complex = true;
+                                  return set;
+                                }));
+  registry.add_layer(make_layer(
+      "samples", "Samples", stage, "Points of the surface, evenly spaced: every point of it has one within delta.",
+      {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
+  registry.add_layer(make_layer(
+      "balls", "Balls", stage,
+      "The balls whose union is looked at: given ones, else the inner poles of the samples. [N. Amenta, S. Choi, R. "
+      "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
+      {60, 110, 170}, [](Context& context) { return ball_primitives(*context.get(balls_3_key)); }));
+}
+
+}  // namespace mesecina

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/registry.h"
+#include "geometries/samples_3/samples_3.h"
+
+namespace mesecina {
+
+inline constexpr Key<Solid_3> solid_3_key{"solid-3"};
+inline constexpr Key<Surface_samples_3> surface_samples_3_key{"surface-samples-3"};
+/// The balls whose union is looked at: given ones, else the inner poles of the mesh.
+inline constexpr Key<std::vector<Ball_3>> balls_3_key{"balls-3"};
+
+inline constexpr Setting<std::string> repair_setting{"repair"};
+inline constexpr Setting<double> delta_setting{"delta"};
+inline constexpr Setting<double> perturbation_setting{"perturbation"};
+
+/// From a mesh to a solid, samples of its surface, and the balls that approximate it.
+void register_samples_3(Registry& registry);
+
+}  // namespace mesecina

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/union_3/module.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/graph.h"
+#include "geometries/primitives_3.h"
+#include "geometries/samples_3/module.h"
+
+namespace mesecina {
+
+namespace {
+
+std::vector<Point_3> centers_of(const std::vector<Ball_3>& balls) {
+  std::vector<Point_3> centers;
+  centers.reserve(balls.size());
+  for (const Ball_3& ball : balls) centers.push_back(ball.center);
+  return centers;
+}
+
+/// The simplices of the dual complex that are wanted.
+template <class Wants_triangle, class Wants_edge, class Wants_vertex>
+Primitive_set dual_primitives(const Dual_3& dual, const Wants_triangle& wants_triangle, const Wants_edge& wants_edge,
+                              const Wants_vertex& wants_vertex) {
+  Primitive_set set = primitives_in_space();
+  set.vertices = centers_of(dual.regular->balls);
+  for (std::size_t v = 0; v < dual.vertices.size(); ++v)
+    if (wants_vertex(dual.vertices[v])) set.points.push_back(static_cast<int>(v));
+  for (const Dual_3::Edge& edge : dual.edges)
+    if (wants_edge(edge.kind)) set.segments.push_back(edge.balls);
+  for (const Dual_3::Triangle& triangle : dual.triangles)
+    if (wants_triangle(triangle.kind)) set.triangles.push_back(triangle.balls);
+  return select(set, std::vector<bool>(set.element_count(), true));
+}
+
+bool none(Simplex_kind_3) { return false; }
+bool any(Simplex_kind_3 kind) { return kind != Simplex_kind_3::outside; }
+bool is_singular(Simplex_kind_3 kind) { return kind == Simplex_kind_3::singular; }
+bool is_regular(Simplex_kind_3 kind) { return kind == Simplex_kind_3::regular; }
+
+Primitive_set regular_layer(Context& context) {
+  const auto regular = context.get(regular_3_key);
+  Primitive_set set = primitives_in_space();
+  set.vertices = centers_of(regular->balls);
+  for (std::size_t c = 0; c < regular->cells.size(); ++c) {
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) {
+        const int a = std::min(regular->cells[c][i], regular->cells[c][j]);
+        const int b = std::max(regular->cells[c][i], regular->cells[c][j]);
+        if (a >= 0) set.segments.push_back({a, b});
+      }
+    }
+  }
+  std::ranges::sort(set.segments);
+  set.segments.erase(std::unique(set.segments.begin(), set.segments.end()), set.segments.end());
+  for (std::size_t b = 0; b < regular->cell_of_ball.size(); ++b)
+    if (regular->cell_of_ball[b] >= 0) set.points.push_back(static_cast<int>(b));
+  return select(set, std::vector<bool>(set.element_count(), true));
+}
+
+void add_dual_layers(Registry& registry) {
+  const char* stage = "Dual complex";
+  registry.add_layer(make_layer(
+      "dual", "Dual complex", stage,
+      "The simplices of the regular triangulation whose power faces meet the union; it has the homotopy type of the "
+      "union. Its tetrahedra are not drawn, but count. [H. Edelsbrunner: The union of balls and its dual shape, 1995]",
+      {110, 90, 160}, [](Context& context) {
+        const auto dual = context.get(dual_3_key);
+        Primitive_set set = dual_primitives(*dual, any, any, any);
+        set.is_complex = true;
+        set.known_topology = topology(*dual);
+        return set;
+      }));
+  registry.add_layer(
+      make_layer("dual-faces", "Dual: tetrahedra", stage,
+                 "The boundary of the tetrahedra of the dual complex: triangles with one on one side.", {150, 130, 200},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), is_regular, none, none); }));
+  registry.add_layer(
+      make_layer("dual-triangles", "Dual: triangles", stage, "All triangles of the dual complex.", {150, 130, 200},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), any, none, none); }));
+  registry.add_layer(
+      make_layer("dual-edges", "Dual: edges", stage, "All edges of the dual complex.", {110, 90, 160},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), none, any, none); }));
+  registry.add_layer(
+      make_layer("dual-singular-triangles", "Dual: singular triangles", stage,
+                 "Triangles of the dual complex that no tetrahedron of it has.", {190, 110, 60},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), is_singular, none, none); }));
+  registry.add_layer(
+      make_layer("dual-singular-edges", "Dual: singular edges", stage,
+                 "Edges of the dual complex that no triangle of it has.", {190, 60, 60},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), none, is_singular, none); }));
+  registry.add_layer(
+      make_layer("dual-singular-vertices", "Dual: singular vertices", stage,
+                 "Balls that meet no other: vertices of the dual complex without edges.", {120, 20, 20},
+                 [](Context& context) { return dual_primitives(*context.get(dual_3_key), none, none, is_singular); }));
+}
+
+}  // namespace
+
+Primitive_set medial_primitives(const Medial_complex_3& complex) {
+  Primitive_set set = primitives_in_space();
+  set.vertices = complex.centers;
+  set.radii = complex.radii;
+  set.is_complex = true;
+  set.polygon_offsets = complex.face_offsets;
+  set.polygon_vertices = complex.face_vertices;
+  std::vector<std::array<int, 2>> sides;
+  std::vector<std::uint8_t> is_used(complex.centers.size(), 0);
+  sides.reserve(complex.face_vertices.size());
+  for (std::size_t f = 0; f < complex.face_count(); ++f) {
+    const auto corners = complex.face(f);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const int a = corners[i];
+      const int b = corners[(i + 1) % corners.size()];
+      sides.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::ranges::sort(sides);
+  for (const auto& edge : complex.edges) {
+    if (!std::ranges::binary_search(sides, edge)) set.segments.push_back(edge);
+    is_used[edge[0]] = is_used[edge[1]] = 1;
+  }
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+    if (is_used[v] == 0) set.points.push_back(static_cast<int>(v));
+  // Edges and vertices without faces are singular: spheres meet there in circles, or touch nothing.
+  const std::size_t others = set.points.size() + set.segments.size();
+  const auto with_others = [&](const std::vector<double>& of_faces) {
+    std::vector<double> data(others, std::numeric_limits<double>::infinity());
+    data.insert(data.end(), of_faces.begin(), of_faces.end());
+    return data;
+  };
+  set.values.push_back({"angle", "degrees", with_others(angle_of_faces(complex))});
+  set.values.push_back({"lambda", "units of the input", with_others(lambda_of_faces(complex))});
+  return set;
+}
+
+void register_union_3(Registry& registry) {
+  registry.begin_module({"union-3", "Union of balls", "Structures of the union of the balls."});
+  registry.add_structure<Regular_3>(regular_3_key, [](Context& context) {
+    return regular_triangulation(*context.get(balls_3_key), context.progress());
+  });
+  registry.add_structure<Dual_3>(
+      dual_3_key, [](Context& context) { return dual_complex(context.get(regular_3_key), context.progress()); });
+  registry.add_structure<Union_vertices_3>(union_vertices_3_key, [](Context& context) {
+    return union_vertices(context.get(dual_3_key), context.progress());
+  });
+  registry.add_structure<Medial_complex_3>(medial_axis_3_key, [](Context& context) {
+    return union_medial_axis(*context.get(union_vertices_3_key), context.progress());
+  });
+  registry.add_layer(make_layer("regular-triangulation", "Regular triangulation", "Power diagram",
+                                "The dual of the power diagram of the balls. [F. Aurenhammer: Power diagrams, 1987]",
+                                {120, 120, 130}, regular_layer));
+  add_dual_layers(registry);
+  registry.add_layer(
+      make_layer("union-vertices", "Vertices of the union", "Union of balls",
+                 "V(U): where three spheres meet on the boundary of the union.", {180, 40, 40},
+                 [](Context& context) { return point_primitives(context.get(union_vertices_3_key)->points); }));
+  registry.add_layer(make_layer(
+      "medial-axis", "Medial axis", "Union of balls",
+      "The medial axis of the union of the balls, exact but for incomplete faces: the singular faces of the dual "
+      "complex, "
+      "and the Voronoi diagram of V(U) in the rest of it. [N. Amenta, R. Kolluri: The medial axis of a union of balls, "
+      "2001]",
+      {60, 130, 90}, [](Context& context) { return medial_primitives(*context.get(medial_axis_3_key)); }));
+}
+
+}  // namespace mesecina

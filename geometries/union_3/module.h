@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/registry.h"
+#include "geometries/union_3/union_3.h"
+
+namespace mesecina {
+
+inline constexpr Key<Regular_3> regular_3_key{"regular-3"};
+inline constexpr Key<Dual_3> dual_3_key{"dual-3"};
+inline constexpr Key<Union_vertices_3> union_vertices_3_key{"union-vertices-3"};
+inline constexpr Key<Medial_complex_3> medial_axis_3_key{"medial-axis-3"};
+
+/// The polygons of a complex with the values "angle" and "lambda", its edges without polygons, its lone vertices.
+Primitive_set medial_primitives(const Medial_complex_3& complex);
+
+/// The union of balls: regular triangulation, dual complex, vertices of the boundary, medial axis.
+void register_union_3(Registry& registry);
+
+}  // namespace mesecina
