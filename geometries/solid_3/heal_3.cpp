@@ -206,6 +206,7 @@ std::vector<std::vector<int>> find_holes(const Clean_mesh_3& clean) {
     if (edge.size() > 1) return {};
     open.push_back(edge[0]);
   }
+  std::ranges::sort(open);
   std::vector<std::uint8_t> is_walked(edges.twin.size(), 0);
   std::vector<std::vector<int>> result;
   for (const int start : open) {
