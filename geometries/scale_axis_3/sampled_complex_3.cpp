@@ -25,8 +25,8 @@ class Sampler {
     for (std::size_t f = 0; f < complex.face_count(); ++f) {
       const auto corners = complex.face(f);
       for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        result_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
-        result_.face_of_triangle.push_back(static_cast<int>(f));
+        open_.push_back({corners[0], corners[i], corners[i + 1]});
+        open_faces_.push_back(static_cast<int>(f));
       }
     }
     std::vector<std::array<int, 2>> of_faces;
@@ -42,7 +42,7 @@ class Sampler {
     }
     std::ranges::sort(of_faces);
     for (const auto& edge : complex.edges) {
-      if (!std::ranges::binary_search(of_faces, edge)) result_.edges.push_back(edge);
+      if (!std::ranges::binary_search(of_faces, edge)) open_edges_.push_back(edge);
       is_used[edge[0]] = is_used[edge[1]] = 1;
     }
     for (std::size_t v = 0; v < is_used.size(); ++v)
@@ -56,6 +56,7 @@ class Sampler {
         throw Unavailable("the scale axis would get more than " + std::to_string(most_balls) +
                           " balls; choose a smaller sampling-min-angle");
     }
+    close();
     for (double& radius : result_.radii) radius /= scale_;
     return std::move(result_);
   }
@@ -72,10 +73,11 @@ class Sampler {
   /// The vertex in the middle of an edge that is to be halved; -1 for others. Squared radii of medial balls are
   /// squared distances to a point, so that those of their middle follow.
   int middle_of(int a, int b) {
+    if (!is_too_long(a, b)) return -1;
     if (a > b) std::swap(a, b);
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32U) | static_cast<std::uint32_t>(b);
     const auto [it, is_new] = middles_.try_emplace(key, -1);
-    if (is_new && is_too_long(a, b)) {
+    if (is_new) {
       it->second = static_cast<int>(result_.centers.size());
       const double p = result_.radii[a];
       const double q = result_.radii[b];
@@ -86,33 +88,44 @@ class Sampler {
     return it->second;
   }
 
+  /// Halves what is new since the last round; the rest has no edge that is too long.
   bool split_once() {
     middles_.clear();
-    middles_.reserve(result_.triangles.size() * 2);
     const std::size_t before = result_.centers.size();
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> faces;
-    triangles.reserve(result_.triangles.size());
-    faces.reserve(result_.triangles.size());
-    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < open_.size(); ++t) {
       const std::size_t first = triangles.size();
-      split_triangle(result_.triangles[t], triangles);
-      faces.insert(faces.end(), triangles.size() - first, result_.face_of_triangle[t]);
+      split_triangle(open_[t], triangles);
+      if (triangles.size() == first + 1) {
+        result_.triangles.push_back(triangles.back());
+        result_.face_of_triangle.push_back(open_faces_[t]);
+        triangles.pop_back();
+      } else {
+        faces.insert(faces.end(), triangles.size() - first, open_faces_[t]);
+      }
     }
     std::vector<std::array<int, 2>> edges;
-    for (const auto& [a, b] : result_.edges) {
+    for (const auto& [a, b] : open_edges_) {
       const int m = middle_of(a, b);
       if (m < 0) {
-        edges.push_back({a, b});
+        result_.edges.push_back({a, b});
       } else {
         edges.push_back({a, m});
         edges.push_back({m, b});
       }
     }
-    result_.triangles = std::move(triangles);
-    result_.face_of_triangle = std::move(faces);
-    result_.edges = std::move(edges);
+    open_ = std::move(triangles);
+    open_faces_ = std::move(faces);
+    open_edges_ = std::move(edges);
     return result_.centers.size() > before;
+  }
+
+  /// What would be halved still when rounds are over.
+  void close() {
+    result_.triangles.insert(result_.triangles.end(), open_.begin(), open_.end());
+    result_.face_of_triangle.insert(result_.face_of_triangle.end(), open_faces_.begin(), open_faces_.end());
+    result_.edges.insert(result_.edges.end(), open_edges_.begin(), open_edges_.end());
   }
 
   void split_triangle(const std::array<int, 3>& corners, std::vector<std::array<int, 3>>& triangles) {
@@ -153,6 +166,9 @@ class Sampler {
   double scale_;
   double cosine_ = 0;
   std::unordered_map<std::uint64_t, int> middles_;
+  std::vector<std::array<int, 3>> open_;
+  std::vector<int> open_faces_;
+  std::vector<std::array<int, 2>> open_edges_;
   Ball_complex_3 result_;
 };
 

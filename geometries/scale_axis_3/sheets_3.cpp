@@ -16,25 +16,25 @@ struct Incidences {
   explicit Incidences(const Medial_complex_3& complex) : edges_of_faces(complex.face_vertices.size()) {
     face_offsets.assign(complex.edges.size() + 1, 0);
     edge_degrees.assign(complex.centers.size(), 0);
-    std::vector<std::pair<std::array<int, 2>, int>> sides;
-    sides.reserve(edges_of_faces.size());
+    // Edges are ascending: those of each lesser vertex are neighbours.
+    std::vector<int> firsts(complex.centers.size() + 1, 0);
+    for (const auto& ends : complex.edges) ++firsts[ends[0] + 1];
+    std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
     for (std::size_t f = 0; f < complex.face_count(); ++f) {
       const auto corners = complex.face(f);
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const int a = corners[i];
         const int b = corners[(i + 1) % corners.size()];
-        sides.push_back({{std::min(a, b), std::max(a, b)}, complex.face_offsets[f] + static_cast<int>(i)});
+        const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
+        const auto it = std::lower_bound(complex.edges.begin() + firsts[ends[0]],
+                                         complex.edges.begin() + firsts[ends[0] + 1], ends);
+        const int edge = static_cast<int>(it - complex.edges.begin());
+        edges_of_faces[complex.face_offsets[f] + i] = edge;
+        ++face_offsets[edge + 1];
       }
     }
-    std::ranges::sort(sides);
-    int edge = 0;
-    for (const auto& [ends, place] : sides) {
-      while (complex.edges[edge] != ends) ++edge;
-      edges_of_faces[place] = edge;
-      ++face_offsets[edge + 1];
-    }
     std::partial_sum(face_offsets.begin(), face_offsets.end(), face_offsets.begin());
-    faces_of_edges.resize(sides.size());
+    faces_of_edges.resize(edges_of_faces.size());
     std::vector<int> next(face_offsets.begin(), face_offsets.end() - 1);
     for (std::size_t f = 0; f < complex.face_count(); ++f)
       for (const int e : edges_of(complex, static_cast<int>(f))) faces_of_edges[next[e]++] = static_cast<int>(f);

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
+#include <span>
 
 #include "geometries/parallel.h"
 #include "geometries/union_3/union_3.h"
@@ -12,11 +14,30 @@ namespace mesecina {
 
 namespace {
 
-/// A face of the Voronoi diagram as its cells, and the edge of the Delaunay triangulation that it is dual to.
-struct Voronoi_face {
-  std::array<int, 2> points{};
+/// Faces of the Voronoi diagram, and the edges of the Delaunay triangulation that they are dual to.
+struct Voronoi_faces {
+  std::vector<std::array<int, 2>> points;
+  std::vector<int> offsets{0};
   std::vector<int> nodes;
 };
+
+/// Ascending, each once. O(n) for edges between near numbers of vertices.
+void sort_edges(std::vector<std::array<int, 2>>& edges, std::size_t vertex_count) {
+  std::vector<int> offsets(vertex_count + 1, 0);
+  for (const auto& edge : edges) ++offsets[edge[0] + 1];
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<int> others(edges.size());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  for (const auto& edge : edges) others[next[edge[0]]++] = edge[1];
+  edges.clear();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto begin = others.begin() + offsets[v];
+    const auto end = others.begin() + offsets[v + 1];
+    std::sort(begin, end);
+    for (auto it = begin; it != end; ++it)
+      if (it == begin || *it != *(it - 1)) edges.push_back({static_cast<int>(v), *it});
+  }
+}
 
 class Axis_builder {
  public:
@@ -34,8 +55,7 @@ class Axis_builder {
     add_voronoi_faces();
     add_voronoi_edges();
     add_attachments();
-    std::ranges::sort(result_.edges);
-    result_.edges.erase(std::unique(result_.edges.begin(), result_.edges.end()), result_.edges.end());
+    sort_edges(result_.edges, result_.centers.size());
     return std::move(result_);
   }
 
@@ -87,7 +107,6 @@ class Axis_builder {
     result_.face_vertices.insert(result_.face_vertices.end(), nodes.begin(), nodes.end());
     result_.face_offsets.push_back(static_cast<int>(result_.face_vertices.size()));
     result_.contacts.push_back({contact, other});
-    for (std::size_t i = 0; i < nodes.size(); ++i) add_edge(nodes[i], nodes[(i + 1) % nodes.size()]);
   }
 
   void add_singular_faces() {
@@ -99,6 +118,7 @@ class Axis_builder {
       for (int i = 0; i < 3; ++i) nodes[i] = node_of_ball_[triangle.balls[i]];
       const auto contacts = contacts_of(triangle);
       add_face(nodes, contacts[0], contacts[1]);
+      for (int i = 0; i < 3; ++i) add_edge(nodes[i], nodes[(i + 1) % 3]);
       std::ranges::sort(nodes);
       singular_.insert(nodes);
     }
@@ -112,19 +132,23 @@ class Axis_builder {
                           regular_.balls[triangle.balls[2]], true)};
   }
 
-  /// Around the edge between two places of a cell, if all cells there are inner and this is the first of them.
-  bool find_face(int cell, int i, int j, Voronoi_face& face) const {
+  /// Appends what lies around the edge between two places of a cell, if all cells there are inner and this is the first
+  /// of them.
+  void find_face(int cell, int i, int j, Voronoi_faces& faces) const {
     const int a = voronoi_.cells[cell][i];
     const int b = voronoi_.cells[cell][j];
-    face.nodes.clear();
+    const std::size_t begin = faces.nodes.size();
     int current = cell;
     int ahead = -1;
     for (int k = 0; k < 4; ++k)
       if (k != i && k != j) ahead = voronoi_.cells[cell][k];
     do {
-      if (current < cell || voronoi_.is_inner[current] == 0) return false;
+      if (current < cell || voronoi_.is_inner[current] == 0) {
+        faces.nodes.resize(begin);
+        return;
+      }
       const int node = node_of_cell_[current];
-      if (face.nodes.empty() || face.nodes.back() != node) face.nodes.push_back(node);
+      if (faces.nodes.size() == begin || faces.nodes.back() != node) faces.nodes.push_back(node);
       const auto& corners = voronoi_.cells[current];
       int kept = -1;
       int place = -1;
@@ -135,41 +159,45 @@ class Axis_builder {
       current = voronoi_.neighbors[current][place];
       ahead = kept;
     } while (current != cell);
-    while (face.nodes.size() > 1 && face.nodes.front() == face.nodes.back()) face.nodes.pop_back();
-    face.points = {a, b};
-    return face.nodes.size() > 2;
+    while (faces.nodes.size() > begin + 1 && faces.nodes[begin] == faces.nodes.back()) faces.nodes.pop_back();
+    if (faces.nodes.size() < begin + 3) {
+      faces.nodes.resize(begin);
+      return;
+    }
+    faces.points.push_back({a, b});
+    faces.offsets.push_back(static_cast<int>(faces.nodes.size()));
   }
 
   void add_voronoi_faces() {
     const std::size_t count = voronoi_.cells.size();
     constexpr std::size_t block = 16384;
     const std::size_t blocks = (count + block - 1) / block;
-    std::vector<std::vector<Voronoi_face>> found(blocks);
+    std::vector<Voronoi_faces> found(blocks);
     parallel_blocks(blocks, progress_, [&](std::size_t b) {
-      Voronoi_face face;
       for (std::size_t c = b * block; c < std::min(count, (b + 1) * block); ++c) {
         if (voronoi_.is_inner[c] == 0) continue;
         for (int i = 0; i < 4; ++i)
-          for (int j = i + 1; j < 4; ++j)
-            if (find_face(static_cast<int>(c), i, j, face)) found[b].push_back(face);
+          for (int j = i + 1; j < 4; ++j) find_face(static_cast<int>(c), i, j, found[b]);
       }
     });
-    for (const auto& part : found) {
-      for (const Voronoi_face& face : part) {
-        if (is_singular(face.nodes)) continue;
-        add_face(face.nodes, voronoi_.points[face.points[0]], voronoi_.points[face.points[1]]);
+    for (const Voronoi_faces& part : found) {
+      for (std::size_t f = 0; f < part.points.size(); ++f) {
+        const std::span<const int> nodes(part.nodes.data() + part.offsets[f], part.nodes.data() + part.offsets[f + 1]);
+        if (!is_singular(nodes))
+          add_face(nodes, voronoi_.points[part.points[f][0]], voronoi_.points[part.points[f][1]]);
       }
     }
   }
 
   /// Between the two vertices of a singular triangle lies the triangle itself.
-  bool is_singular(const std::vector<int>& nodes) const {
-    if (nodes.size() != 3) return false;
+  bool is_singular(std::span<const int> nodes) const {
+    if (nodes.size() != 3 || singular_.empty()) return false;
     std::array<int, 3> three{nodes[0], nodes[1], nodes[2]};
     std::ranges::sort(three);
     return singular_.contains(three);
   }
 
+  /// Those of faces are among them.
   void add_voronoi_edges() {
     for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
       if (voronoi_.is_inner[c] == 0) continue;
@@ -187,11 +215,11 @@ class Axis_builder {
       for (int i = 0; i < 4; ++i) {
         std::array<int, 3> points{};
         for (int k = 0; k < 3; ++k) points[k] = voronoi_.cells[c][(i + 1 + k) % 4];
-        for (const int ball : voronoi_.common_balls(points)) {
-          if (is_loose_[ball] == 0) continue;
+        voronoi_.for_common_balls(points, [&](int ball) {
+          if (is_loose_[ball] == 0) return;
           add_edge(node_of_ball_[ball], node_of_cell_[c]);
           is_loose_[ball] = 0;
-        }
+        });
       }
     }
   }

@@ -25,10 +25,6 @@ using Cell_base =
 using Triangulation =
     CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
 
-void keep_in_both(std::vector<int>& some, std::span<const int> others) {
-  std::erase_if(some, [&](int i) { return !std::ranges::binary_search(others, i); });
-}
-
 /// Points at equal places become one with the balls of all of them.
 void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result) {
   std::vector<int> order(vertices.points.size());
@@ -104,22 +100,22 @@ void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progr
   std::vector<std::uint8_t> has_several(count, 0);
   parallel_for(count, progress, [&](std::size_t c) {
     if (std::ranges::min(result.cells[c]) < 0) return;
-    const std::vector<int> common = result.common_balls(result.cells[c]);
-    if (!common.empty()) result.ball_of_cell[c] = common.front();
-    has_several[c] = common.size() > 1;
+    int found = 0;
+    result.for_common_balls(result.cells[c], [&](int ball) {
+      if (found++ == 0) result.ball_of_cell[c] = ball;
+    });
+    has_several[c] = found > 1;
   });
   std::vector<std::uint8_t> has_cell(ball_count, 0);
   for (std::size_t c = 0; c < count; ++c)
     if (result.ball_of_cell[c] >= 0 && has_several[c] == 0) has_cell[result.ball_of_cell[c]] = 1;
-  for (std::size_t c = 0; c < count; ++c) {
-    if (has_several[c] == 0) continue;
-    for (const int ball : result.common_balls(result.cells[c])) {
-      if (has_cell[ball] != 0) {
-        result.ball_of_cell[c] = ball;
-        break;
-      }
-    }
-  }
+  parallel_for(count, progress, [&](std::size_t c) {
+    if (has_several[c] == 0) return;
+    bool is_found = false;
+    result.for_common_balls(result.cells[c], [&](int ball) {
+      if (has_cell[ball] != 0 && !std::exchange(is_found, true)) result.ball_of_cell[c] = ball;
+    });
+  });
 }
 
 void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progress) {
@@ -145,16 +141,6 @@ void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progres
 }
 
 }  // namespace
-
-std::vector<int> Vertex_voronoi_3::common_balls(std::span<const int> some) const {
-  const auto first = balls_of(some.front());
-  std::vector<int> common(first.begin(), first.end());
-  for (const int point : some.subspan(1)) {
-    keep_in_both(common, balls_of(point));
-    if (common.empty()) break;
-  }
-  return common;
-}
 
 Vertex_voronoi_3 vertex_voronoi(const Union_vertices_3& vertices, Progress& progress) {
   progress.begin_stage("Voronoi diagram of the vertices of the union");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "geometries/union_3/union_3.h"
@@ -26,8 +28,14 @@ struct Vertex_voronoi_3 {
   std::span<const int> balls_of(int point) const {
     return std::span(balls).subspan(ball_offsets[point], ball_offsets[point + 1] - ball_offsets[point]);
   }
-  /// Balls of all these points, ascending.
-  std::vector<int> common_balls(std::span<const int> some) const;
+  /// Calls use(ball) for each ball that all these points have, ascending.
+  template <class Use>
+  void for_common_balls(std::span<const int> some, const Use& use) const {
+    for (const int ball : balls_of(some.front())) {
+      const auto has_it = [&](int point) { return std::ranges::binary_search(balls_of(point), ball); };
+      if (std::ranges::all_of(some.subspan(1), has_it)) use(ball);
+    }
+  }
 };
 
 /// O(n log n) along surfaces.
