@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometries/parallel.h"
+#include "geometries/union_3/meeting_point_3.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -94,7 +95,7 @@ class Flat_classes {
     }
     return true;
   }
-  /// The power center of the cell lies across its triangle, on the side of the vertex.
+  /// The power center of the cell lies across its triangle, on the side of the vertex, or in its plane.
   bool is_beyond(int cell, const Dual_3::Triangle& triangle, bool is_above) const {
     using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
     const auto exact = [&](int ball) {
@@ -106,7 +107,7 @@ class Flat_classes {
         CGAL::weighted_circumcenter(exact(corners[0]), exact(corners[1]), exact(corners[2]), exact(corners[3]));
     const auto side = CGAL::orientation(exact(triangle.balls[0]).point(), exact(triangle.balls[1]).point(),
                                         exact(triangle.balls[2]).point(), center);
-    return side == (is_above ? CGAL::POSITIVE : CGAL::NEGATIVE);
+    return side != (is_above ? CGAL::NEGATIVE : CGAL::POSITIVE);
   }
   Kernel::Weighted_point_3 weighted(int ball) const {
     const Ball_3& b = regular_.balls[ball];
@@ -126,14 +127,18 @@ Point_3 meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, bool is
   const Vector v = difference(c.center, a.center);
   const Vector n = cross(u, v);
   const Long square = dot(n, n);
-  const Long along_u = (dot(u, u) + (Long(a.radius) - b.radius) * (Long(a.radius) + b.radius)) / 2;
-  const Long along_v = (dot(v, v) + (Long(a.radius) - c.radius) * (Long(a.radius) + c.radius)) / 2;
+  // Digits that centers nearly on a line take away.
+  constexpr Long worst = 1e-8L;
+  if (square < worst * dot(u, u) * dot(v, v)) return exact_meeting_point(a, b, c, is_above);
+  const Long weight = a.radius * a.radius;
+  const Long along_u = (dot(u, u) + weight - Long(b.radius * b.radius)) / 2;
+  const Long along_v = (dot(v, v) + weight - Long(c.radius * c.radius)) / 2;
   const Vector vn = cross(v, n);
   const Vector nu = cross(n, u);
   const Long s = along_u / square;
   const Long t = along_v / square;
   const Vector foot{s * vn.x + t * nu.x, s * vn.y + t * nu.y, s * vn.z + t * nu.z};
-  const Long height_square = Long(a.radius) * a.radius - dot(foot, foot);
+  const Long height_square = weight - dot(foot, foot);
   const Long height = (is_above ? 1 : -1) * std::sqrt(std::max(height_square, Long(0)) / square);
   return {static_cast<double>(a.center.x + foot.x + height * n.x),
           static_cast<double>(a.center.y + foot.y + height * n.y),
@@ -160,19 +165,39 @@ Union_vertices_3 union_vertices(std::shared_ptr<const Dual_3> dual, Progress& pr
     const auto& [a, b, c] = dual->triangles[kept[i].triangle].balls;
     result.points[i] = meeting_point(balls[a], balls[b], balls[c], kept[i].is_above);
   });
+  const auto balls_of = [&](std::size_t i) -> std::span<const int> {
+    if (class_of_kept[i] >= 0) return classes.balls()[class_of_kept[i]];
+    return dual->triangles[kept[i].triangle].balls;
+  };
+  std::vector<Meeting_name_3> meetings;
+  meetings.reserve(kept.size());
+  for (const Name& name : kept) meetings.push_back({dual->triangles[name.triangle].balls, name.is_above});
+  const std::vector<int> first = first_of_same_points(balls, meetings, result.points);
+  std::map<int, std::vector<int>> others;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (first[i] != static_cast<int>(i)) others[first[i]].push_back(static_cast<int>(i));
+  std::vector<Point_3> points;
+  points.reserve(kept.size());
   result.ball_offsets.reserve(kept.size() + 1);
   result.ball_offsets.push_back(0);
+  std::vector<int> all;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (class_of_kept[i] >= 0) {
-      const auto& all = classes.balls()[class_of_kept[i]];
-      result.balls.insert(result.balls.end(), all.begin(), all.end());
-    } else {
-      auto three = dual->triangles[kept[i].triangle].balls;
-      std::ranges::sort(three);
-      result.balls.insert(result.balls.end(), three.begin(), three.end());
+    if (first[i] != static_cast<int>(i)) continue;
+    const auto own = balls_of(i);
+    all.assign(own.begin(), own.end());
+    if (const auto it = others.find(static_cast<int>(i)); it != others.end()) {
+      for (const int other : it->second) {
+        const auto more = balls_of(other);
+        all.insert(all.end(), more.begin(), more.end());
+      }
     }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    points.push_back(result.points[i]);
+    result.balls.insert(result.balls.end(), all.begin(), all.end());
     result.ball_offsets.push_back(static_cast<int>(result.balls.size()));
   }
+  result.points = std::move(points);
   result.dual = std::move(dual);
   return result;
 }
