@@ -116,13 +116,15 @@ bool is_same(std::span<const Ball_3> balls, const Meeting_name_3& name, const Me
 Point_3 exact_meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, bool is_above) {
   const std::array<Ball_3, 3> balls{a, b, c};
   const Meeting_point<Rational> point(balls, {{0, 1, 2}, is_above});
-  const double root = std::sqrt(std::max(0.0, CGAL::to_double(point.height / point.square / point.square)));
-  const auto coordinate = [root](double start, const Rational& foot, const Rational& square, const Rational& n) {
-    return CGAL::to_double(Rational(Rational(start) + foot / square + Rational(root) * n));
-  };
-  return {coordinate(a.center.x, point.foot.x, point.square, point.n.x),
-          coordinate(a.center.y, point.foot.y, point.square, point.n.y),
-          coordinate(a.center.z, point.foot.z, point.square, point.n.z)};
+  // The square of a normal may lie beyond the range of doubles.
+  const Rational largest = std::max({Rational(abs(point.n.x)), Rational(abs(point.n.y)), Rational(abs(point.n.z))});
+  const Point_3 along{CGAL::to_double(Rational(point.n.x / largest)), CGAL::to_double(Rational(point.n.y / largest)),
+                      CGAL::to_double(Rational(point.n.z / largest))};
+  const double height = std::sqrt(std::max(0.0, CGAL::to_double(Rational(point.height / point.square))));
+  const Point_3 foot{CGAL::to_double(Rational(Rational(a.center.x) + point.foot.x / point.square)),
+                     CGAL::to_double(Rational(Rational(a.center.y) + point.foot.y / point.square)),
+                     CGAL::to_double(Rational(Rational(a.center.z) + point.foot.z / point.square))};
+  return foot + (height / std::sqrt(dot(along, along))) * along;
 }
 
 std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<const Meeting_name_3> names,
