@@ -49,12 +49,15 @@ class Pieces {
         progress.check();
         cut_triangle(t, next->second);
         ++next;
+        if (triple_points_ > most_triple_points) return;
       } else {
         add(mesh.triangles[t], t);
       }
     }
   }
 
+  /// False: cutting was given up.
+  bool is_complete() const { return triple_points_ <= most_triple_points; }
   /// With the vertices of the mesh, then new ones, rounded. Pieces have the orientation of their triangle.
   const Triangle_mesh_3& pieces() const { return pieces_; }
   const std::vector<int>& source() const { return source_; }
@@ -64,6 +67,8 @@ class Pieces {
   }
 
  private:
+  static constexpr std::size_t most_triple_points = 10000;
+
   struct Less {
     bool operator()(const Exact_point& p, const Exact_point& q) const {
       return CGAL::lexicographically_xyz_smaller(p, q);
@@ -147,7 +152,11 @@ class Pieces {
     for (const auto& [v, w] : segments) {
       const auto from = insert(v);
       const auto to = insert(w);
-      if (v != w) triangulation.insert_constraint(from, to);
+      if (v == w) continue;
+      const std::size_t before = triangulation.number_of_vertices();
+      triangulation.insert_constraint(from, to);
+      triple_points_ += triangulation.number_of_vertices() - before;
+      if (triple_points_ > most_triple_points) return;
     }
     std::map<typename Triangulation::Vertex_handle, int> number;
     for (const auto handle : triangulation.finite_vertex_handles()) number[handle] = vertex_at(handle->point());
@@ -163,6 +172,7 @@ class Pieces {
   std::map<Exact_point, int, Less> number_;
   Triangle_mesh_3 pieces_;
   std::vector<int> source_;
+  std::size_t triple_points_ = 0;  ///< where a triangle is crossed by two others, counted in each
 };
 
 /// What becomes of a piece.
@@ -213,9 +223,10 @@ void join_vertices(Triangle_mesh_3& mesh) {
 
 }  // namespace
 
-Triangle_mesh_3 crossing_boundary(const Triangle_mesh_3& mesh, const Crossing_clusters_3& clusters,
-                                  const Surface_locator_3& locator, Progress& progress) {
-  Pieces pieces(mesh, clusters, progress);
+std::optional<Triangle_mesh_3> crossing_boundary(const Triangle_mesh_3& mesh, const Crossing_clusters_3& clusters,
+                                                 const Surface_locator_3& locator, Progress& progress) {
+  const Pieces pieces(mesh, clusters, progress);
+  if (!pieces.is_complete()) return std::nullopt;
   const std::vector<std::array<int, 3>>& triangles = pieces.pieces().triangles;
   const Mesh_edges_3 edges = find_edges(pieces.pieces());
   Triangle_mesh_3 result;

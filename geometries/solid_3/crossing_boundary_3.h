@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/inputs.h"
@@ -28,8 +29,9 @@ struct Crossing_clusters_3 {
 /// The boundary of the insides of all clusters, normals outward. What happens where is decided exactly, for the mesh as
 /// it is; only then the new vertices are rounded. So the result is closed, and crosses itself by no more than rounding
 /// errors, of which some triangles without area may remain. `locator` is that of the mesh, in which every edge of a
-/// cluster has an even number of triangles. Cost: O(n + c log n) for c crossings, tens of microseconds each.
-Triangle_mesh_3 crossing_boundary(const Triangle_mesh_3& mesh, const Crossing_clusters_3& clusters,
-                                  const Surface_locator_3& locator, Progress& progress);
+/// cluster has an even number of triangles. nullopt where more than about 10000 points are on three triangles each,
+/// which would take seconds. O(n + c log n) for c crossings, tens of microseconds each.
+std::optional<Triangle_mesh_3> crossing_boundary(const Triangle_mesh_3& mesh, const Crossing_clusters_3& clusters,
+                                                 const Surface_locator_3& locator, Progress& progress);
 
 }  // namespace mesecina

@@ -123,7 +123,8 @@ std::vector<double> signed_volumes(const Work& work) {
 }
 
 /// The boundary of the union of components that cross each other, and of the inside of those that cross themselves.
-void resolve_crossings(Work& work, Progress& progress) {
+/// False where that takes too long or nothing is inside.
+bool resolve_crossings(Work& work, Progress& progress) {
   const int count = work.parts.count;
   std::vector<int> parent(count);
   std::iota(parent.begin(), parent.end(), 0);
@@ -178,11 +179,14 @@ void resolve_crossings(Work& work, Progress& progress) {
       ", cut exactly along the crossings.");
   if (turned > 0) work.remarks.push_back(counted(turned, "component", "components") + " of these turned inside out.");
 
-  work.mesh = crossing_boundary(work.mesh, clusters, *work.locator, progress);
+  std::optional<Triangle_mesh_3> boundary = crossing_boundary(work.mesh, clusters, *work.locator, progress);
+  if (!boundary || boundary->triangles.empty()) return false;
+  work.mesh = *std::move(boundary);
   work.edges = find_edges(work.mesh);
   work.parts = orient_components(work.mesh, work.edges);
   work.locator = std::make_shared<Surface_locator_3>(work.mesh, progress);
   work.treatments.emplace_back("united");
+  return true;
 }
 
 void wrap_it(Work& work, Progress& progress) {
@@ -318,6 +322,10 @@ Solid_3 make_solid(std::shared_ptr<const Triangle_mesh_3> mesh, Repair repair, P
   }
   examine(work, progress);
   if (work.parts.turned_triangles > 0) {
+    if (repair == Repair::off) {
+      throw Unavailable(counted(work.parts.turned_triangles, "triangle is", "triangles are") +
+                        " oriented against most of the surface; with repair automatic they are turned around.");
+    }
     work.remarks.push_back(counted(work.parts.turned_triangles, "triangle", "triangles") + " turned around.");
     work.treatments.emplace_back("oriented");
   }
@@ -331,11 +339,10 @@ Solid_3 make_solid(std::shared_ptr<const Triangle_mesh_3> mesh, Repair repair, P
       wrap_it(work, progress);
     } else {
       Work resolved = work;
-      resolve_crossings(resolved, progress);
-      if (resolved.mesh.triangles.empty()) {
-        wrap_it(work, progress);
-      } else {
+      if (resolve_crossings(resolved, progress)) {
         work = std::move(resolved);
+      } else {
+        wrap_it(work, progress);
       }
     }
   }
