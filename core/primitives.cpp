@@ -2,7 +2,6 @@
 #include "core/primitives.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mesecina {
 
@@ -128,45 +127,6 @@ Primitive_set apply_cut(const Primitive_set& set, const Cut& cut) {
   std::vector<bool> keep(values->data.size());
   for (std::size_t i = 0; i < keep.size(); ++i) keep[i] = values->data[i] >= cut.minimum;
   return select(set, keep);
-}
-
-std::optional<Topology> topology(const Primitive_set& set) {
-  if (set.known_topology) return set.known_topology;
-  if (!set.is_complex || !set.rays.empty() || set.polygon_count() != 0 || !set.balls.empty() || set.dimension != 2)
-    return std::nullopt;
-
-  std::vector<bool> used(set.vertices.size(), false);
-  std::vector<std::array<int, 2>> edges;
-  edges.reserve(set.segments.size() + 3 * set.triangles.size() + set.arcs.size());
-  const auto add_edge = [&](int a, int b) { edges.push_back({std::min(a, b), std::max(a, b)}); };
-  for (int v : set.points) used[v] = true;
-  for (const auto& s : set.segments) add_edge(s[0], s[1]);
-  for (const auto& t : set.triangles)
-    for (int i = 0; i < 3; ++i) add_edge(t[i], t[(i + 1) % 3]);
-  if (!set.triangles.empty()) {
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  }
-  for (const Arc& arc : set.arcs) add_edge(arc.from, arc.to);
-
-  std::vector<int> parent(set.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& e : edges) {
-    used[e[0]] = used[e[1]] = true;
-    parent[find(e[0])] = find(e[1]);
-  }
-  Topology result;
-  const auto vertex_count = std::ranges::count(used, true);
-  for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v] && find(static_cast<int>(v)) == static_cast<int>(v)) ++result.betti[0];
-  result.euler =
-      vertex_count - static_cast<std::int64_t>(edges.size()) + static_cast<std::int64_t>(set.triangles.size());
-  result.betti[1] = result.betti[0] - result.euler;
-  return result;
 }
 
 }  // namespace mesecina
