@@ -31,7 +31,7 @@ class Obj_reader {
       else if (std::ranges::find(ignored, statement) == ignored.end())
         skip_statement(statement);
     }
-    if (mesh_.vertices().size() == 0)
+    if (mesh_.vertices().empty())
       fields_.fail("lines 'v x y z' with vertices", "none", "add them, or convert the file to OBJ");
     if (largest_ >= static_cast<std::int64_t>(mesh_.vertices().size())) fail_on_largest();
     Warning_list warnings;

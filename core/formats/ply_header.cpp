@@ -33,7 +33,7 @@ class Header_lines {
     constexpr std::size_t longest = 10'000;
     const std::string_view rest = std::string_view(file_.text).substr(position_);
     const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos || end > longest) return false;
+    if (end > longest) return false;  // npos is longer
     line_ = rest.substr(0, end);
     while (line_.ends_with('\r') || line_.ends_with(' ')) line_.remove_suffix(1);
     position_ += end + 1;
