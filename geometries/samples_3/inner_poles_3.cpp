@@ -57,14 +57,12 @@ Voronoi_vertices voronoi_vertices(const std::vector<Point_3>& samples) {
       corners[i] = cell->vertex(i)->info();
       across[i] = cell->neighbor(i)->info();
     }
-    const auto center = CGAL::circumcenter(cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
-                                           cell->vertex(3)->point());
-    const Point_3 c{center.x(), center.y(), center.z()};
+    const Point_3 center =
+        circumcenter({samples[corners[0]], samples[corners[1]], samples[corners[2]], samples[corners[3]]});
     result.samples.push_back(corners);
     result.neighbors.push_back(across);
-    result.centers.push_back(c);
-    // Of a flat cell the center may be off by more than its distance; it is no pole then.
-    result.radii.push_back(std::isfinite(c.x + c.y + c.z) ? distance(c, samples[corners[0]]) : -1);
+    result.centers.push_back(center);
+    result.radii.push_back(distance(center, samples[corners[0]]));
   }
   return result;
 }
@@ -140,10 +138,8 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Solid_3&
     std::vector<int> asked;
     std::vector<int> still_open;
     for (const int s : open) {
-      while (at[s] < offsets[s + 1] && voronoi.radii[stars[at[s]]] >= 0 &&
-             sides[side_class[stars[at[s]]]] == Side::outer)
-        ++at[s];
-      if (at[s] == offsets[s + 1] || voronoi.radii[stars[at[s]]] < 0) continue;
+      while (at[s] < offsets[s + 1] && sides[side_class[stars[at[s]]]] == Side::outer) ++at[s];
+      if (at[s] == offsets[s + 1]) continue;
       const int vertex = stars[at[s]];
       if (sides[side_class[vertex]] == Side::inner) {
         is_pole[vertex] = 1;

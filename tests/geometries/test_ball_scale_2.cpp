@@ -242,7 +242,7 @@ TEST(Scale_medial_axis_layer, is_symmetric_at_every_limit) {
     const auto middle = [&](std::size_t e) {
       const Point_3& a = layer.vertices[layer.segments[e][0]];
       const Point_3& b = layer.vertices[layer.segments[e][1]];
-      return midpoint({a.x, a.y}, {b.x, b.y});
+      return midpoint(Point_2{a.x, a.y}, Point_2{b.x, b.y});
     };
     for (std::size_t e = 0; e < layer.segments.size(); ++e) {
       const Point_2 mirrored{34 - middle(e).x, middle(e).y};
