@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the modules of space promise: ids, labels and help for all they declare, and layers that compute without a
+// window.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/graph.h"
+#include "geometries/modules_3.h"
+
+namespace mesecina {
+namespace {
+
+/// A closed torus, slightly bent so that nothing is symmetric.
+Triangle_mesh_3 torus() {
+  constexpr int around = 24;
+  constexpr int across = 12;
+  Triangle_mesh_3 mesh;
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      const double u = 2 * std::numbers::pi * i / around;
+      const double v = 2 * std::numbers::pi * j / across;
+      const double r = 1 + 0.4 * std::cos(v) + 0.03 * std::sin(3 * u + v);
+      mesh.vertices.push_back({r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v) + 0.05 * std::cos(2 * u)});
+    }
+  }
+  const auto vertex = [](int i, int j) { return (i % around) * across + j % across; };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j < across; ++j) {
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+/// A tetrahedron of balls, a chain, a triangle, and one alone.
+std::vector<Ball_3> balls_of_all_kinds() {
+  return {{{0, 0, 0}, 1},   {{1.1, 0, 0}, 1}, {{0.5, 1, 0}, 1},   {{0.5, 0.3, 0.9}, 1}, {{2.9, 0, 0}, 1},
+          {{4.5, 0, 0}, 1}, {{6, 0, 0}, 1},   {{5.4, 1, 0}, 0.9}, {{20, 0, 0}, 1}};
+}
+
+const std::set<std::string> promised_layers = {"mesh",
+                                               "samples",
+                                               "balls",
+                                               "regular-triangulation",
+                                               "dual-faces",
+                                               "dual-triangles",
+                                               "dual-edges",
+                                               "dual-singular-triangles",
+                                               "dual-singular-edges",
+                                               "dual-singular-vertices",
+                                               "union-vertices",
+                                               "medial-axis",
+                                               "sheets",
+                                               "scale-axis",
+                                               "scale-axis-balls"};
+
+TEST(Registry_3, EveryEntryHasALabelAndItsOwnHelp) {
+  const auto registry = make_registry_3();
+  std::set<std::string> helps;
+  std::set<std::string> ids;
+  const auto check = [&](const std::string& id, const std::string& label, const std::string& help) {
+    EXPECT_THAT(id, testing::MatchesRegex("[a-z0-9]+(-[a-z0-9]+)*"));
+    EXPECT_FALSE(label.empty()) << id;
+    EXPECT_GE(help.size(), 20u) << id;
+    EXPECT_TRUE(helps.insert(help).second) << id << " has the help of another entry";
+    EXPECT_NE(registry->module_of(id), nullptr) << id;
+    ids.insert(id);
+  };
+  for (const Layer_spec& layer : registry->layers()) check(layer.id, layer.label, layer.help);
+  for (const Setting_spec& setting : registry->settings()) check(setting.id, setting.label, setting.help);
+  for (const std::string& id : promised_layers) EXPECT_TRUE(ids.contains(id)) << id;
+  EXPECT_EQ(registry->dimension(), 3);
+}
+
+void expect_layers(const Inputs& inputs, const std::set<std::string>& without_value) {
+  const auto registry = make_registry_3();
+  Graph graph(registry);
+  graph.set_inputs(inputs);
+  graph.set_settings(Settings().with("delta", 0.05));
+  Progress progress;
+  for (const Layer_spec& layer : registry->layers()) {
+    const auto outcome = graph.layer(layer.id, progress);
+    if (without_value.contains(layer.id)) {
+      EXPECT_FALSE(outcome) << layer.id;
+      EXPECT_FALSE(outcome.reason.empty()) << layer.id;
+      continue;
+    }
+    ASSERT_TRUE(outcome) << layer.id << ": " << outcome.reason;
+    EXPECT_EQ(outcome.value->dimension, 3) << layer.id;
+    for (const Values& values : outcome.value->values)
+      EXPECT_EQ(values.data.size(), outcome.value->element_count()) << layer.id << " " << values.name;
+    if (!outcome.value->radii.empty()) {
+      EXPECT_EQ(outcome.value->radii.size(), outcome.value->vertices.size()) << layer.id;
+    }
+  }
+}
+
+TEST(Registry_3, EveryLayerIsComputedOfAMesh) {
+  expect_layers(Inputs().with(mesh_input, torus()), {"points", "given-balls"});
+}
+
+TEST(Registry_3, EveryLayerIsComputedOfBalls) {
+  expect_layers(Inputs().with(balls_input, balls_of_all_kinds()), {"mesh", "points", "solid", "samples"});
+}
+
+TEST(Registry_3, EveryLayerHasAReasonWhereThereIsNothing) {
+  const auto registry = make_registry_3();
+  Graph graph(registry);
+  Progress progress;
+  for (const Layer_spec& layer : registry->layers()) {
+    const auto outcome = graph.layer(layer.id, progress);
+    EXPECT_FALSE(outcome) << layer.id;
+    EXPECT_THAT(outcome.reason,
+                testing::AllOf(testing::SizeIs(testing::Gt(10)), testing::Not(testing::HasSubstr("internal error"))))
+        << layer.id;
+  }
+}
+
+TEST(Registry_3, OnlyWhatDependsOnTheScaleIsComputedAgain) {
+  Graph graph(make_registry_3());
+  graph.set_inputs(Inputs().with(mesh_input, torus()));
+  graph.set_settings(Settings().with("delta", 0.05));
+  Progress progress;
+  ASSERT_TRUE(graph.layer("scale-axis", progress));
+  graph.set_settings(Settings().with("delta", 0.05).with("scale", 1.3));
+  ASSERT_TRUE(graph.layer("scale-axis", progress));
+  for (const char* id : {"solid-3", "surface-samples-3", "balls-3"}) EXPECT_EQ(graph.computations(id), 1u) << id;
+  EXPECT_EQ(graph.computations("scale-axis-3"), 2u);
+}
+
+TEST(Registry_3, TheTopologyOfATorusGoesThroughAllStages) {
+  Graph graph(make_registry_3());
+  graph.set_inputs(Inputs().with(mesh_input, torus()));
+  graph.set_settings(Settings().with("delta", 0.04).with("scale", 1.1));
+  Progress progress;
+  const std::array<std::int64_t, 3> of_solid{1, 1, 0};
+  for (const char* id : {"dual", "medial-axis", "grown-medial-axis", "scale-axis"}) {
+    const auto outcome = graph.layer(id, progress);
+    ASSERT_TRUE(outcome) << id << ": " << outcome.reason;
+    const auto found = topology(*outcome.value);
+    ASSERT_TRUE(found) << id;
+    EXPECT_EQ(found->betti, of_solid) << id;
+    EXPECT_EQ(found->euler, 0) << id;
+  }
+  EXPECT_EQ(graph.notes().at("repair"), "none");
+}
+
+}  // namespace
+}  // namespace mesecina
