@@ -4,6 +4,7 @@
 #include "geometries/inputs_3/module.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
+#include "geometries/surface_3/module.h"
 #include "geometries/union_3/module.h"
 
 namespace mesecina {
@@ -15,6 +16,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_samples_3(*registry);
   register_union_3(*registry);
   register_scale_axis_3(*registry);
+  register_surface_3(*registry);
   return registry;
 }
 

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/surface_3/sphere_patch_3.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace mesecina {
+
+namespace {
+
+struct Face_place {
+  bool is_outside = false;
+};
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using Face_base =
+    CGAL::Triangulation_face_base_with_info_2<Face_place, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
+                                               CGAL::No_constraint_intersection_tag>;
+using Face = Triangulation::Face_handle;
+using Vertex = Triangulation::Vertex_handle;
+
+double length(const Point_3& p) { return std::sqrt(dot(p, p)); }
+
+/// The stereographic projection of a sphere from its pole; what is counterclockwise from outside is so in the plane.
+class Stereographic_projection {
+ public:
+  Stereographic_projection(const Ball_3& ball, const Point_3& pole) : ball_(ball), pole_(pole) {
+    const Point_3 axis = std::abs(pole.x) < 0.5 ? Point_3{1, 0, 0} : Point_3{0, 1, 0};
+    u_ = cross(pole, axis);
+    u_ = (1 / length(u_)) * u_;
+    v_ = cross(u_, pole);
+  }
+  Kernel::Point_2 operator()(const Point_3& p) const {
+    const Point_3 direction = (1 / ball_.radius) * (p - ball_.center);
+    const double below = 1 - dot(direction, pole_);
+    return {dot(direction, u_) / below, dot(direction, v_) / below};
+  }
+
+ private:
+  Ball_3 ball_;
+  Point_3 pole_;
+  Point_3 u_;
+  Point_3 v_;
+};
+
+class Patch_triangulation {
+ public:
+  Patch_triangulation(const Sphere_patch_3& patch, double deviation)
+      : patch_(patch), deviation_(deviation), project_(patch.ball, patch.pole) {}
+
+  std::optional<Patch_mesh_3> run() {
+    try {
+      if (!insert_loops()) return std::nullopt;
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+      return std::nullopt;
+    }
+    if (!mark_outside()) return std::nullopt;
+    refine();
+    Patch_mesh_3 result;
+    result.inner_points.assign(points_.begin() + boundary_count_, points_.end());
+    for (const Face face : triangulation_.finite_face_handles())
+      if (!face->info().is_outside) result.triangles.push_back(corners_of(face));
+    return result;
+  }
+
+ private:
+  /// False when two points are projected to one.
+  bool insert_loops() {
+    Face hint;
+    for (const auto& loop : patch_.loops) {
+      for (const Point_3& p : loop) {
+        const std::size_t before = triangulation_.number_of_vertices();
+        const Kernel::Point_2 projected = project_(p);
+        if (!std::isfinite(projected.x()) || !std::isfinite(projected.y())) return false;
+        const Vertex vertex = triangulation_.insert(projected, hint);
+        if (triangulation_.number_of_vertices() == before) return false;
+        vertex->info() = static_cast<int>(points_.size());
+        points_.push_back(p);
+        vertices_.push_back(vertex);
+        hint = vertex->face();
+      }
+    }
+    boundary_count_ = static_cast<int>(points_.size());
+    for_each_side([&](int a, int b) { triangulation_.insert_constraint(vertices_[a], vertices_[b]); });
+    return triangulation_.dimension() == 2;
+  }
+
+  template <class Body>
+  void for_each_side(const Body& body) const {
+    int first = 0;
+    for (const auto& loop : patch_.loops) {
+      const int count = static_cast<int>(loop.size());
+      for (int i = 0; i < count; ++i) body(first + i, first + (i + 1) % count);
+      first += count;
+    }
+  }
+
+  /// False when the faces between the loops do not make up the patch.
+  bool mark_outside() {
+    for (const Face face : triangulation_.all_face_handles()) face->info().is_outside = true;
+    std::vector<Face> open;
+    std::vector<Face> across;
+    bool has_sides = true;
+    for_each_side([&](int a, int b) {
+      Face face;
+      int index = 0;
+      if (!has_sides || !triangulation_.is_edge(vertices_[a], vertices_[b], face, index) ||
+          !face->is_constrained(index)) {
+        has_sides = false;
+        return;
+      }
+      Face other = face->neighbor(index);
+      if (face->vertex(Triangulation::ccw(index)) != vertices_[a]) std::swap(face, other);
+      across.push_back(other);
+      open.push_back(face);
+    });
+    if (!has_sides) return false;
+    std::size_t count = 0;
+    while (!open.empty()) {
+      const Face face = open.back();
+      open.pop_back();
+      if (!face->info().is_outside) continue;
+      if (triangulation_.is_infinite(face)) return false;
+      face->info().is_outside = false;
+      ++count;
+      for (int i = 0; i < 3; ++i)
+        if (!face->is_constrained(i)) open.push_back(face->neighbor(i));
+    }
+    return count + 4 == points_.size() + 2 * patch_.loops.size() &&
+           std::ranges::all_of(across, [](const Face& face) { return face->info().is_outside; });
+  }
+
+  std::array<int, 3> corners_of(const Face& face) const {
+    return {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+  }
+
+  void refine() {
+    constexpr int most_rounds = 64;
+    std::vector<std::array<Point_3, 2>> wanted;
+    for (int round = 0; round < most_rounds; ++round) {
+      wanted.clear();
+      for (const Face face : triangulation_.finite_face_handles())
+        if (!face->info().is_outside) want_points(face, wanted);
+      if (wanted.empty()) return;
+      const std::size_t before = points_.size();
+      for (const auto& [center, middle] : wanted)
+        if (!insert(center, before) && !(middle == center)) insert(middle, before);
+      if (points_.size() == before) return;
+    }
+  }
+
+  /// Of a triangle that is too far from the sphere: the point of the sphere above its circumcenter, and the one above
+  /// the middle of its longest side where it is obtuse.
+  void want_points(const Face& face, std::vector<std::array<Point_3, 2>>& wanted) const {
+    const auto corners = corners_of(face);
+    const auto& [center, radius] = patch_.ball;
+    const std::array<Point_3, 3> p{points_[corners[0]], points_[corners[1]], points_[corners[2]]};
+    const Point_3 normal = cross(p[1] - p[0], p[2] - p[0]);
+    const double size = length(normal);
+    if (size == 0) return;
+    const Point_3 up = (1 / size) * normal;
+    const double height = dot(up, p[0] - center);
+    if (radius - height <= deviation_) return;
+    const Point_3 top = center + radius * up;
+    Point_3 middle = top;
+    for (int i = 0; i < 3 && height > 0; ++i) {
+      const Point_3& a = p[(i + 1) % 3];
+      const Point_3& b = p[(i + 2) % 3];
+      if (dot(a - p[i], b - p[i]) >= 0) continue;
+      const Point_3 between = midpoint(a, b) - center;
+      const double reach = length(between);
+      if (radius - reach <= deviation_) return;
+      middle = center + (radius / reach) * between;
+    }
+    wanted.push_back({top, middle});
+  }
+
+  /// False when it is outside of the patch. Points near to one that was inserted after the first `before` are left out:
+  /// what wanted them may have changed.
+  bool insert(const Point_3& p, std::size_t before) {
+    const double spacing = 2 * patch_.ball.radius * deviation_ / 3;
+    const Kernel::Point_2 projected = project_(p);
+    if (!std::isfinite(projected.x()) || !std::isfinite(projected.y())) return false;
+    Triangulation::Locate_type type{};
+    int index = 0;
+    const Face face = triangulation_.locate(projected, type, index);
+    if (type != Triangulation::FACE && type != Triangulation::EDGE) return false;
+    if (face->info().is_outside || (type == Triangulation::EDGE && face->is_constrained(index))) return false;
+    for (const int corner : corners_of(face)) {
+      if (corner >= static_cast<int>(before) && squared_distance(points_[corner], p) < spacing) return true;
+    }
+    const Vertex vertex = triangulation_.insert(projected, type, face, index);
+    vertex->info() = static_cast<int>(points_.size());
+    points_.push_back(p);
+    return true;
+  }
+
+  const Sphere_patch_3& patch_;
+  double deviation_;
+  Stereographic_projection project_;
+  Triangulation triangulation_;
+  std::vector<Point_3> points_;
+  std::vector<Vertex> vertices_;
+  int boundary_count_ = 0;
+};
+
+/// One ring that runs through all loops, which are joined where they are nearest to each other, there and back.
+std::vector<int> joined_loops(const Sphere_patch_3& patch, std::vector<Point_3>& points) {
+  std::vector<std::vector<int>> rest;
+  for (const auto& loop : patch.loops) {
+    rest.emplace_back();
+    for (const Point_3& p : loop) {
+      rest.back().push_back(static_cast<int>(points.size()));
+      points.push_back(p);
+    }
+  }
+  std::vector<int> ring = std::move(rest.front());
+  rest.erase(rest.begin());
+  while (!rest.empty()) {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<std::size_t, 3> best{};
+    for (std::size_t r = 0; r < ring.size(); ++r) {
+      for (std::size_t l = 0; l < rest.size(); ++l) {
+        for (std::size_t i = 0; i < rest[l].size(); ++i) {
+          const double d = squared_distance(points[ring[r]], points[rest[l][i]]);
+          if (d < least) {
+            least = d;
+            best = {r, l, i};
+          }
+        }
+      }
+    }
+    auto& loop = rest[best[1]];
+    std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(best[2]));
+    loop.push_back(loop.front());
+    loop.push_back(ring[best[0]]);
+    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(best[0]) + 1, loop.begin(), loop.end());
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(best[1]));
+  }
+  return ring;
+}
+
+}  // namespace
+
+std::optional<Patch_mesh_3> triangulate_patch(const Sphere_patch_3& patch, double deviation) {
+  return Patch_triangulation(patch, deviation).run();
+}
+
+Patch_mesh_3 fill_patch(const Sphere_patch_3& patch) {
+  std::vector<Point_3> points;
+  std::vector<int> ring = joined_loops(patch, points);
+  Patch_mesh_3 result;
+  const auto cosine = [&](std::size_t i) {
+    const Point_3& p = points[ring[i]];
+    const Point_3 a = points[ring[(i + ring.size() - 1) % ring.size()]] - p;
+    const Point_3 b = points[ring[(i + 1) % ring.size()]] - p;
+    const Point_3 normal = cross(b, a);
+    const double size = std::sqrt(dot(a, a) * dot(b, b));
+    const double bend = size > 0 ? dot(a, b) / size : 1;
+    // Corners that are not convex come last.
+    constexpr double reflex = -3;
+    return dot(normal, p - patch.ball.center) > 0 ? bend : reflex - bend;
+  };
+  while (ring.size() > 3) {
+    std::size_t best = 0;
+    double sharpest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (ring[(i + ring.size() - 1) % ring.size()] == ring[(i + 1) % ring.size()]) continue;
+      if (const double value = cosine(i); value > sharpest) {
+        sharpest = value;
+        best = i;
+      }
+    }
+    result.triangles.push_back(
+        {ring[(best + ring.size() - 1) % ring.size()], ring[best], ring[(best + 1) % ring.size()]});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  result.triangles.push_back({ring[0], ring[1], ring[2]});
+  return result;
+}
+
+Patch_mesh_3 triangulate_sphere(const Ball_3& ball, double deviation) {
+  constexpr double most_steps = 4096;
+  const int steps = static_cast<int>(std::clamp(std::ceil(std::sqrt(ball.radius / deviation)), 1.0, most_steps));
+  Patch_mesh_3 result;
+  std::map<std::array<int, 3>, int> index;
+  const auto vertex = [&](const std::array<int, 3>& place) {
+    const auto [it, is_new] = index.emplace(place, static_cast<int>(result.inner_points.size()));
+    if (is_new) {
+      const Point_3 p{static_cast<double>(place[0]), static_cast<double>(place[1]), static_cast<double>(place[2])};
+      result.inner_points.push_back(ball.center + (ball.radius / length(p)) * p);
+    }
+    return it->second;
+  };
+  for (int octant = 0; octant < 8; ++octant) {
+    const std::array<int, 3> sign{(octant & 1) != 0 ? -1 : 1, (octant & 2) != 0 ? -1 : 1, (octant & 4) != 0 ? -1 : 1};
+    const bool is_mirrored = sign[0] * sign[1] * sign[2] < 0;
+    const auto at = [&](int i, int j) { return vertex({sign[0] * i, sign[1] * j, sign[2] * (steps - i - j)}); };
+    const auto add = [&](int a, int b, int c) {
+      if (is_mirrored) std::swap(b, c);
+      result.triangles.push_back({a, b, c});
+    };
+    for (int i = 0; i < steps; ++i) {
+      for (int j = 0; i + j < steps; ++j) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < steps) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace mesecina
