@@ -11,7 +11,7 @@ cd "$work"
 fail() {
   echo "FAILED (line ${BASH_LINENO[*]}): $*" >&2
   if [ -n "${command_line-}" ]; then
-    echo "command: mesecina2d $command_line; exit status $status; standard error:" >&2
+    echo "command: $(basename "$program") $command_line; exit status $status; standard error:" >&2
     head -c 4000 stderr >&2
   fi
   exit 1
@@ -39,7 +39,7 @@ expect_different() { ! cmp -s "$1" "$2" || fail "expected $1 and $2 to differ"; 
 succeed() {
   run "$@"
   expect_status 0
-  ! grep -v '^mesecina2d: ' stderr >noise || fail "expected no other lines than the program's own"
+  ! grep -v "^$(basename "$program"): " stderr >noise || fail "expected no other lines than the program's own"
 }
 
 # A sample of an ellipse: its crust is one closed curve and its medial axis is a tree.
