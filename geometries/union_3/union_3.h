@@ -50,8 +50,10 @@ struct Medial_complex_3 {
 
 /// The singular faces of the dual complex, and of the Voronoi diagram of V(U) all cells that lie in the rest of it as a
 /// whole ("complete faces"). It has the homotopy type of the union. A Voronoi vertex at the center of a ball, where all
-/// its V(U) points lie on one sphere, is that by construction. O(n log n) along surfaces. [N. Amenta, R. Kolluri: The
-/// medial axis of a union of balls, 2001; B. Miklos: The Scale Axis Transform, 2010, 4.2, 6.1.3]
+/// its V(U) points lie on one sphere, is that by construction. Where so many spheres meet in nearly one point that
+/// rounding would change components or the Euler characteristic, it is the axis of balls that are moved and grown by
+/// millionths of their radii (vertices at balls stay where these are). O(n log n) along surfaces. [N. Amenta, R.
+/// Kolluri: The medial axis of a union of balls, 2001; B. Miklos: The Scale Axis Transform, 2010, 4.2, 6.1.3]
 Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress);
 
 /// Per face: half the distance of its contacts.
