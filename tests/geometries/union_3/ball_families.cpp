@@ -352,7 +352,7 @@ std::vector<Ball_family> ball_families() {
           {"coplanar, general", coplanar_general},
           {"grid", grid},
           {"lattice", lattice},
-          {"decimal", decimal},
+          {"decimal", decimal, true},
           {"through points", through_points},
           {"cospherical", cospherical},
           {"pencil", pencil},
@@ -362,9 +362,9 @@ std::vector<Ball_family> ball_families() {
           {"clusters", clusters},
           {"tiny in large", tiny_in_large},
           {"far away", far_away},
-          {"nearly special", nearly_special},
+          {"nearly special", nearly_special, true},
           {"with points", with_points},
-          {"through samples", through_samples}};
+          {"through samples", through_samples, true}};
 }
 
 }  // namespace mesecina::test

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -25,6 +26,7 @@ std::vector<Named_balls> difficult_ball_sets();
 struct Ball_family {
   std::string name;
   std::function<std::vector<Ball_3>(std::uint64_t seed)> make;
+  bool is_nearly_special = false;  ///< what touches or meets on paper does so only to rounding
 };
 /// Sets of 1 to 12 balls, most families in special position again and again.
 std::vector<Ball_family> ball_families();
@@ -33,6 +35,8 @@ using Balls_check = std::function<testing::AssertionResult(const std::vector<Bal
 /// Expects it of the difficult sets and of so many sets of each family; of each family that fails it tells the least
 /// part of a set that does.
 void expect_of_balls(std::uint64_t seeds, const Balls_check& check);
+/// Not of families that are nearly special.
+void expect_of_clear_balls(std::uint64_t seeds, const Balls_check& check);
 
 /// Many balls in a cube, of which each meets so many others, about.
 std::vector<Ball_3> many_balls(int count, double neighbors, std::uint64_t seed);

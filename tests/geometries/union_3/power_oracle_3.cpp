@@ -346,14 +346,14 @@ std::vector<Oracle_vertex_3> vertices_by_definition(std::span<const Ball_3> ball
         is_covered = is_covered || power < 0;
         if (power == 0) on_sphere.push_back(k);
       }
-      if (is_covered || !is_on_boundary(balls, on_sphere)) continue;
+      if (is_covered) continue;
       // Once, from its first triple that is not on a line.
       bool is_first = true;
       for_each_subset(on_sphere, 3, 3, [&](const std::vector<int>& other) {
         if (other >= simplex || !is_first) return;
         is_first = certain_sign(Orthogonal<Rational>(balls, other).determinant) == 0;
       });
-      if (is_first) result.push_back({set_of(on_sphere), triple.point(side)});
+      if (is_first) result.push_back({set_of(on_sphere), triple.point(side), is_on_boundary(balls, on_sphere)});
     }
   });
   return result;

@@ -55,12 +55,13 @@ Topology topology_of_simplices(const std::vector<Ball_set>& simplices);
 /// Rank over the field with two elements; each column by its rows.
 std::size_t rank_mod_2(std::vector<std::vector<int>> columns);
 
-/// A point on the boundary of the union where three spheres with centers that are not on a line meet.
+/// A point in no ball's interior where three spheres with centers that are not on a line meet.
 struct Oracle_vertex_3 {
   Ball_set balls = 0;  ///< all on whose spheres it lies
   Point_3 point;
+  bool is_on_boundary = true;  ///< of the union; false where balls surround the point
 };
-/// O(n^4).
+/// All of them. O(n^4).
 std::vector<Oracle_vertex_3> vertices_by_definition(std::span<const Ball_3> balls);
 
 }  // namespace mesecina::test

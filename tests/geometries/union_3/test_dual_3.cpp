@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometries/union_3/regular_3.h"
+#include "tests/geometries/union_3/axis_checks_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
 #include "tests/geometries/union_3/power_oracle_3.h"
 
@@ -14,11 +15,7 @@ namespace {
 
 testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
-std::string to_text(const Topology& t) {
-  return "(" + std::to_string(t.betti[0]) + ", " + std::to_string(t.betti[1]) + ", " + std::to_string(t.betti[2]) +
-         "; " + std::to_string(t.euler) + ")";
-}
-std::string to_text(Ball_set set) {
+std::string names(Ball_set set) {
   std::string result = "{";
   for (const int i : members(set)) result += (result.size() > 1 ? " " : "") + std::to_string(i);
   return result + "}";
@@ -91,13 +88,13 @@ testing::AssertionResult is_complex_of_the_definition(const std::vector<Ball_3>&
   std::vector<Ball_set> all;
   for (const auto& [simplex, kind] : found) all.push_back(simplex);
   for (const auto& [simplex, kind] : found) {
-    if (kind == Simplex_kind_3::outside) return failure() << to_text(simplex) << " is listed and outside";
-    if (!std::ranges::binary_search(expected, simplex)) return failure() << to_text(simplex) << " is not in the union";
+    if (kind == Simplex_kind_3::outside) return failure() << names(simplex) << " is listed and outside";
+    if (!std::ranges::binary_search(expected, simplex)) return failure() << names(simplex) << " is not in the union";
     for (const int i : members(simplex))
       if (simplex != bit(i) && !found.contains(simplex & ~bit(i)))
-        return failure() << "a face of " << to_text(simplex) << " is missing";
+        return failure() << "a face of " << names(simplex) << " is missing";
     if (kind != kind_of(simplex, all))
-      return failure() << to_text(simplex) << " is of kind " << static_cast<int>(kind) << ", by definition "
+      return failure() << names(simplex) << " is of kind " << static_cast<int>(kind) << ", by definition "
                        << static_cast<int>(kind_of(simplex, all));
   }
   for (std::size_t i = 0; i < dual.has_cell.size(); ++i) {
@@ -107,9 +104,9 @@ testing::AssertionResult is_complex_of_the_definition(const std::vector<Ball_3>&
     }
     const Ball_set cell = set_of(dual.regular->cells[i]);
     const auto it = std::ranges::find(minima, cell, &Power_minimum::simplex);
-    if (it == minima.end()) return failure() << "cell " << to_text(cell) << " is not regular";
+    if (it == minima.end()) return failure() << "cell " << names(cell) << " is not regular";
     if (it->is_on_spheres != static_cast<bool>(dual.is_flat[i]))
-      return failure() << "cell " << to_text(cell) << " is flat " << it->is_on_spheres;
+      return failure() << "cell " << names(cell) << " is flat " << it->is_on_spheres;
   }
   for (const Dual_3::Triangle& t : dual.triangles) {
     std::array<const std::array<int, 4>*, 2> cells{};
@@ -124,11 +121,11 @@ testing::AssertionResult is_complex_of_the_definition(const std::vector<Ball_3>&
       for (const int ball : *cells[i])
         if (ball >= 0 && std::ranges::find(t.balls, ball) == t.balls.end() &&
             orientation(b[t.balls[0]], b[t.balls[1]], b[t.balls[2]], b[ball]) != (i == 1 ? 1 : -1))
-          return failure() << "the cells of triangle " << to_text(set_of(t.balls)) << " are exchanged";
+          return failure() << "the cells of triangle " << names(set_of(t.balls)) << " are exchanged";
   }
   if (is_general(minima))
     for (const Ball_set simplex : expected)
-      if (!found.contains(simplex)) return failure() << to_text(simplex) << " is missing";
+      if (!found.contains(simplex)) return failure() << names(simplex) << " is missing";
   return testing::AssertionSuccess();
 }
 
