@@ -55,39 +55,58 @@ bool is_convex(const std::vector<Kernel::Point_2>& points) {
   return reversals <= 2;
 }
 
-/// Cuts ears off a polygon: corners that turn left, and whose triangle holds no other corner.
+/// Cuts ears off a polygon: corners that turn left, and whose triangle holds no other corner. What has no ears, which a
+/// polygon that does not cross itself never comes to, is cut as a fan.
 class Ear_cutter {
  public:
-  explicit Ear_cutter(const std::vector<Kernel::Point_2>& points) : points_(points) {
-    const int count = static_cast<int>(points.size());
-    for (int i = 0; i < count; ++i) {
-      previous_.push_back(i == 0 ? count - 1 : i - 1);
-      next_.push_back(i + 1 == count ? 0 : i + 1);
+  explicit Ear_cutter(const std::vector<Kernel::Point_2>& points)
+      : points_(points), left_(static_cast<int>(points.size())) {
+    for (int i = 0; i < left_; ++i) {
+      previous_.push_back(i == 0 ? left_ - 1 : i - 1);
+      next_.push_back(i + 1 == left_ ? 0 : i + 1);
     }
   }
 
   /// Calls use(a, b, c) for each triangle.
   template <class Use>
   void cut(const Use& use) {
+    // A cut makes ears only of the corners beside it, and of some whose triangle was touched by the corner cut off.
+    constexpr int most_rounds = 8;
     int corner = 0;
-    int since_last_ear = 0;
-    for (int left = static_cast<int>(points_.size()); left > 3;) {
-      if (since_last_ear < left && !is_ear(corner)) {
-        corner = next_[corner];
-        ++since_last_ear;
-        continue;
-      }
-      use(previous_[corner], corner, next_[corner]);
-      next_[previous_[corner]] = next_[corner];
-      previous_[next_[corner]] = previous_[corner];
-      corner = next_[next_[corner]];  // not the neighbour, whose ears would make a fan of slivers
-      since_last_ear = 0;
-      --left;
+    for (int round = 0, before = left_ + 1; round < most_rounds && left_ > 3 && left_ < before; ++round) {
+      before = left_;
+      corner = cut_ears(corner, use);
     }
-    use(previous_[corner], corner, next_[corner]);
+    for (; left_ > 2; corner = next_[corner]) cut_off(corner, use);
   }
 
  private:
+  /// Looks at all corners from this one on, and again at those beside a cut. Gives one that is left.
+  template <class Use>
+  int cut_ears(int corner, const Use& use) {
+    std::vector<int> candidates;
+    for (int i = 0; i < left_; ++i, corner = next_[corner]) candidates.push_back(corner);
+    int remaining = corner;
+    for (std::size_t i = 0; i < candidates.size() && left_ > 3; ++i) {
+      const int candidate = candidates[i];
+      if (next_[candidate] == gone || !is_ear(candidate)) continue;
+      candidates.push_back(previous_[candidate]);
+      candidates.push_back(next_[candidate]);
+      remaining = next_[candidate];
+      cut_off(candidate, use);
+      next_[candidate] = gone;
+    }
+    return remaining;
+  }
+
+  template <class Use>
+  void cut_off(int corner, const Use& use) {
+    use(previous_[corner], corner, next_[corner]);
+    next_[previous_[corner]] = next_[corner];
+    previous_[next_[corner]] = previous_[corner];
+    --left_;
+  }
+
   bool is_ear(int corner) const {
     const Kernel::Point_2& a = points_[previous_[corner]];
     const Kernel::Point_2& b = points_[corner];
@@ -105,7 +124,10 @@ class Ear_cutter {
     return true;
   }
 
+  static constexpr int gone = -1;
+
   const std::vector<Kernel::Point_2>& points_;
+  int left_;
   std::vector<int> previous_;
   std::vector<int> next_;
 };

@@ -80,6 +80,27 @@ TEST(Polygon_triangles, NonconvexPolygonsAreCovered) {
   expect_partition(mesh_of(spiral));
 }
 
+TEST(Polygon_triangles, PolygonsMayTouchThemselves) {
+  // A square with a slit from a corner, which turns right nowhere; and a square around a hole, with a bridge.
+  for (std::vector<Point_3> points :
+       {std::vector<Point_3>{{0, 0, 1}, {1, 1, 1}, {0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}},
+        std::vector<Point_3>{{0, 0, 1},
+                             {4, 0, 1},
+                             {4, 4, 1},
+                             {0, 4, 1},
+                             {0, 0, 1},
+                             {1, 1, 1},
+                             {1, 2, 1},
+                             {2, 2, 1},
+                             {2, 1, 1},
+                             {1, 1, 1}}}) {
+    for (std::size_t turn = 0; turn < points.size(); ++turn) {
+      expect_partition(mesh_of(points));
+      std::ranges::rotate(points, points.begin() + 1);
+    }
+  }
+}
+
 TEST(Polygon_triangles, RandomStarsInRandomPlanes) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -132,8 +153,13 @@ TEST(Polygon_triangles, TheLargestNonconvexPolygonTakesNotLong) {
   comb.push_back({0, 2e3, 0});
   const auto begin = std::chrono::steady_clock::now();
   expect_partition(mesh_of(comb));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5))
-      << "an optimized build takes about 0.1 s";
+  // And one that crosses itself everywhere.
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (Point_3& p : comb) p = {uniform(random), uniform(random), 0};
+  EXPECT_EQ(mesh_of(comb).triangles.size(), comb.size() - 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10))
+      << "an optimized build takes about 0.5 s";
 }
 
 }  // namespace
