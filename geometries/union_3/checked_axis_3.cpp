@@ -35,6 +35,14 @@ Connectivity connectivity(const Medial_complex_3& axis) {
                           static_cast<std::int64_t>(axis.edges.size())};
 }
 
+bool has_face_with_a_vertex_twice(const Medial_complex_3& axis) {
+  std::vector<int> last_face(axis.centers.size(), -1);
+  for (std::size_t f = 0; f < axis.face_count(); ++f)
+    for (const int v : axis.face(f))
+      if (std::exchange(last_face[v], static_cast<int>(f)) == static_cast<int>(f)) return true;
+  return false;
+}
+
 /// In [-1, 1), by nothing but the number: on every machine the same.
 double scattered(std::uint64_t number) {
   number += 0x9e3779b97f4a7c15U;
@@ -74,14 +82,17 @@ Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& p
   Medial_complex_3 axis = rounded_medial_axis(vertices, progress);
   const Topology topology_of_union = topology(*vertices.dual);
   const Connectivity expected{topology_of_union.betti[0], topology_of_union.euler};
-  if (connectivity(axis) == expected) return axis;
+  const auto is_sound = [&expected](const Medial_complex_3& some) {
+    return connectivity(some) == expected && !has_face_with_a_vertex_twice(some);
+  };
+  if (is_sound(axis)) return axis;
   // Spheres meet in special positions. Balls in general position have an axis that rounding does not change.
   const Regular_3& regular = *vertices.dual->regular;
   for (const Motion& motion : motions) {
     auto moved = std::make_shared<const Regular_3>(regular_triangulation(moved_balls(regular, motion), progress));
     auto dual = std::make_shared<const Dual_3>(dual_complex(std::move(moved), progress));
     Medial_complex_3 other = rounded_medial_axis(union_vertices(std::move(dual), progress), progress);
-    if (connectivity(other) != expected) continue;
+    if (!is_sound(other)) continue;
     for (std::size_t v = 0; v < other.balls.size(); ++v) {
       const int ball = other.balls[v];
       if (ball < 0) continue;

@@ -49,6 +49,14 @@ TEST(Union_medial_axis_3, has_the_topology_of_the_union) {
   expect_of_balls(repetitions(100), has_topology_of_the_dual);
 }
 
+TEST(Union_medial_axis_3, moves_no_balls_in_general_position) {
+  expect_of_clear_balls(repetitions(60), [](const std::vector<Ball_3>& balls) {
+    if (!is_general(power_minima(balls)) || is_of_the_balls_themselves(axis_of(balls)))
+      return testing::AssertionSuccess();
+    return failure() << "rounding changes the topology";
+  });
+}
+
 TEST(Union_medial_axis_3, is_medial) { expect_of_clear_balls(repetitions(30), is_medial_axis); }
 
 TEST(Union_medial_axis_3, lacks_nothing_but_faces_that_leave_the_union) {
