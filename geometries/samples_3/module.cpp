@@ -4,6 +4,7 @@
 #include "core/formats/number.h"
 #include "core/graph.h"
 #include "geometries/primitives_3.h"
+#include "geometries/union_3/union_3.h"
 
 namespace mesecina {
 
@@ -32,7 +33,10 @@ Surface_samples_3 compute_samples(Context& context) {
 }
 
 std::vector<Ball_3> compute_balls(Context& context) {
-  if (const auto given = context.input(balls_input); given && !given->empty()) return *given;
+  if (const auto given = context.input(balls_input); given && !given->empty()) {
+    const double part = context.setting(given_perturbation_setting);
+    return part > 0 ? perturbed(*given, part) : *given;
+  }
   if (!context.input(mesh_input) && context.input(cloud_input))
     throw Unavailable("there are points but no mesh and no balls: balls from points alone are not there yet");
   const auto solid = context.get(solid_3_key);
@@ -76,12 +80,29 @@ void add_settings(Registry& registry) {
     setting.help =
         "The centers of balls that come from a mesh are moved by up to this part of their radius, always in the same "
         "way. "
-        "Many of them go through one sample, where rounding would decide on how their union is connected. Given balls "
-        "are never moved. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.3]";
+        "Many of them go through one sample, where rounding would decide on how their union is connected. [B. Miklos: "
+        "The Scale Axis Transform, 2010, section 6.1.3]";
     setting.unit = "fraction of the radius";
     setting.default_value = 1e-4;
     setting.minimum = 0;
     setting.maximum = 0.1;
+    setting.tags = {"balls"};
+    registry.add_setting(std::move(setting));
+  }
+  {
+    Setting_spec setting;
+    setting.id = given_perturbation_setting.id;
+    setting.label = "Perturbation of given balls";
+    setting.help =
+        "Given balls are moved by up to this part of their radius and grow by about three times that, always in the "
+        "same "
+        "way. 0: they are taken as they are. 1e-6 (1e-4 for balls that come from samples) mends medial axes of balls "
+        "in special positions (grids, many spheres "
+        "through one point), where rounding decides; a warning says so.";
+    setting.unit = "fraction of the radius";
+    setting.default_value = 0.0;
+    setting.minimum = 0;
+    setting.maximum = 0.01;
     setting.tags = {"balls"};
     registry.add_setting(std::move(setting));
   }

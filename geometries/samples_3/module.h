@@ -14,6 +14,7 @@ inline constexpr Key<std::vector<Ball_3>> balls_3_key{"balls-3"};
 inline constexpr Setting<std::string> repair_setting{"repair"};
 inline constexpr Setting<double> delta_setting{"delta"};
 inline constexpr Setting<double> perturbation_setting{"perturbation"};
+inline constexpr Setting<double> given_perturbation_setting{"given-perturbation"};
 
 /// From a mesh to a solid, samples of its surface, and the balls that approximate it.
 void register_samples_3(Registry& registry);

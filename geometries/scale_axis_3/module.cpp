@@ -36,7 +36,10 @@ std::shared_ptr<const Dual_3> grown_dual(Context& context) {
 
 Medial_complex_3 compute_grown_axis(Context& context) {
   if (context.setting(scale_setting) == 1) return *context.get(medial_axis_3_key);
-  return union_medial_axis(union_vertices(grown_dual(context), context.progress()), context.progress());
+  const Union_vertices_3 vertices = union_vertices(grown_dual(context), context.progress());
+  Medial_complex_3 axis = union_medial_axis(vertices, context.progress());
+  warn_of_special_positions(context, axis, *vertices.dual);
+  return axis;
 }
 
 Pruned_axis_3 compute_pruned(Context& context) {

@@ -135,6 +135,16 @@ Primitive_set medial_primitives(const Medial_complex_3& complex) {
   return set;
 }
 
+void warn_of_special_positions(Context& context, const Medial_complex_3& axis, const Dual_3& dual) {
+  if (has_topology_of_union(axis, dual)) return;
+  context.warn(
+      "The medial axis has not the topology of the union: more than three spheres meet in points within rounding. To "
+      "mend that, let balls be moved a little: " +
+      std::string(context.input(balls_input) ? "set given-perturbation to 1e-6, or to 1e-4 for balls that come from "
+                                               "samples."
+                                             : "set perturbation to more than it is."));
+}
+
 void register_union_3(Registry& registry) {
   registry.begin_module({"union-3", "Union of balls", "Structures of the union of the balls."});
   registry.add_structure<Regular_3>(regular_3_key, [](Context& context) {
@@ -146,7 +156,10 @@ void register_union_3(Registry& registry) {
     return union_vertices(context.get(dual_3_key), context.progress());
   });
   registry.add_structure<Medial_complex_3>(medial_axis_3_key, [](Context& context) {
-    return union_medial_axis(*context.get(union_vertices_3_key), context.progress());
+    const auto vertices = context.get(union_vertices_3_key);
+    Medial_complex_3 axis = union_medial_axis(*vertices, context.progress());
+    warn_of_special_positions(context, axis, *vertices->dual);
+    return axis;
   });
   registry.add_layer(make_layer("regular-triangulation", "Regular triangulation", "Power diagram",
                                 "The dual of the power diagram of the balls. [F. Aurenhammer: Power diagrams, 1987]",

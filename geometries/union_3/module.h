@@ -14,6 +14,9 @@ inline constexpr Key<Medial_complex_3> medial_axis_3_key{"medial-axis-3"};
 /// The polygons of a complex with the values "angle" and "lambda", its edges without polygons, its lone vertices.
 Primitive_set medial_primitives(const Medial_complex_3& complex);
 
+/// Tells the user when the axis has not the topology of the union, and what to do.
+void warn_of_special_positions(Context& context, const Medial_complex_3& axis, const Dual_3& dual);
+
 /// The union of balls: regular triangulation, dual complex, vertices of the boundary, medial axis.
 void register_union_3(Registry& registry);
 

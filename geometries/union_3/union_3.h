@@ -50,11 +50,19 @@ struct Medial_complex_3 {
 
 /// The singular faces of the dual complex, and of the Voronoi diagram of V(U) all cells that lie in the rest of it as a
 /// whole ("complete faces"). It has the homotopy type of the union. A Voronoi vertex at the center of a ball, where all
-/// its V(U) points lie on one sphere, is that by construction. Where so many spheres meet in nearly one point that
-/// rounding would change components or the Euler characteristic, it is the axis of balls that are moved and grown by
-/// millionths of their radii (vertices at balls stay where these are). O(n log n) along surfaces. [N. Amenta, R.
-/// Kolluri: The medial axis of a union of balls, 2001; B. Miklos: The Scale Axis Transform, 2010, 4.2, 6.1.3]
+/// its V(U) points lie on one sphere, is that by construction. Where more than three spheres meet in nearly one point,
+/// or their vertices lie on one circle, rounded points decide, and parts may be missing or too much;
+/// has_topology_of_union tells. O(n log n) along surfaces. [N. Amenta, R. Kolluri: The medial axis of a union of balls,
+/// 2001; B. Miklos: The Scale Axis Transform, 2010, 4.2, 6.1.3]
 Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress);
+
+/// Whether the components and the Euler characteristic are those of the union, and each face is a polygon. True for
+/// balls in general position. O(n α(n)).
+bool has_topology_of_union(const Medial_complex_3& axis, const Dual_3& dual);
+
+/// Balls with centers moved by up to `part` of their radii in each coordinate and radii larger by about three times
+/// that, so that what touched still meets. Depends on nothing but the balls and their order.
+std::vector<Ball_3> perturbed(std::vector<Ball_3> balls, double part);
 
 /// Per face: half the distance of its contacts.
 std::vector<double> lambda_of_faces(const Medial_complex_3& axis);

@@ -7,7 +7,6 @@
 #include <span>
 
 #include "geometries/parallel.h"
-#include "geometries/union_3/rounded_axis_3.h"
 #include "geometries/union_3/union_3.h"
 #include "geometries/union_3/vertex_voronoi_3.h"
 
@@ -272,7 +271,7 @@ Point_3 nearest_on_face(const Medial_complex_3& axis, std::size_t face, const Po
 
 }  // namespace
 
-Medial_complex_3 rounded_medial_axis(const Union_vertices_3& vertices, Progress& progress) {
+Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress) {
   Vertex_voronoi_3 voronoi = vertex_voronoi(vertices, progress);
   return Axis_builder(vertices, std::move(voronoi), progress).build();
 }

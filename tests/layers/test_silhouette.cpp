@@ -81,7 +81,7 @@ TEST(Silhouette, disk_of_covered_pixels_within_a_tenth_of_a_pixel) {
 
 TEST(Silhouette, a_ring_has_a_hole) {
   const Outline_2 outline = silhouette(antialiased(50, 50, [&](double x, double y) {
-    const double r = distance({x, y}, {25, 25});
+    const double r = distance(Point_2{x, y}, Point_2{25, 25});
     return r < 20 && r > 10;
   }));
   ASSERT_EQ(outline.rings.size(), 2U);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <sstream>
 
-#include "geometries/union_3/rounded_axis_3.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/ball_sets.h"
 
@@ -139,11 +138,6 @@ testing::AssertionResult is_complex(const Axis_3& axis) {
   std::ranges::sort(balls);
   if (std::ranges::adjacent_find(balls) != balls.end()) return failure() << "a ball is there twice";
   return testing::AssertionSuccess();
-}
-
-bool is_of_the_balls_themselves(const Axis_3& axis) {
-  Progress progress;
-  return topology_by_ranks(rounded_medial_axis(axis.vertices, progress)) == topology(*axis.dual);
 }
 
 testing::AssertionResult is_medial(const Axis_3& axis, const Boundary_oracle_3& boundary, double relative_tolerance) {

@@ -33,9 +33,6 @@ Topology topology_by_ranks(const Medial_complex_3& axis);
 /// vertices; balls are those of the union, each once.
 testing::AssertionResult is_complex(const Axis_3& axis);
 
-/// The points of V(U), rounded, give a complex with the topology of the union: balls did not need to be moved.
-bool is_of_the_balls_themselves(const Axis_3& axis);
-
 /// Every vertex, and points along every edge and on every face, are as far from the boundary as the radii say; contacts
 /// of faces are boundary points at that distance; faces are planar. `tolerance` relative to the size of the union.
 testing::AssertionResult is_medial(const Axis_3& axis, const Boundary_oracle_3& boundary, double tolerance);
