@@ -320,7 +320,7 @@ TEST(Topology_in_space, OfAHundredThousandFacesIsQuick) {
     book.triangles.insert(book.triangles.end(), {{0, 1, u}, {0, 1, v}, {0, u, v}, {1, u, v}});
   }
   EXPECT_EQ(topology(with_vertices(book))->betti, (std::array<std::int64_t, 3>{1, 0, 50'000}));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5))
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20))
       << "an optimized build takes about 0.1 s";
 }
 
