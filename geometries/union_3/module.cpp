@@ -59,6 +59,22 @@ Primitive_set regular_layer(Context& context) {
   return select(set, std::vector<bool>(set.element_count(), true));
 }
 
+std::string betti_text(const Topology& topology) {
+  const auto& b = topology.betti;
+  return std::to_string(b[0]) + " components, " + std::to_string(b[1]) + " tunnels, " + std::to_string(b[2]) +
+         " cavities";
+}
+
+Dual_3 compute_dual(Context& context) {
+  Dual_3 dual = dual_complex(context.get(regular_3_key), context.progress());
+  if (context.input(balls_input) || !context.input(mesh_input)) return dual;
+  const auto solid = context.get(solid_3_key);
+  if (const Topology found = topology(dual); solid->topology && solid->topology->betti != found.betti)
+    context.warn("The union of balls has " + betti_text(found) + ", the solid " + betti_text(*solid->topology) +
+                 ": parts of it are thinner than the samples can carry. Choose a smaller delta.");
+  return dual;
+}
+
 void add_dual_layers(Registry& registry) {
   const char* stage = "Dual complex";
   registry.add_layer(make_layer(
@@ -150,8 +166,7 @@ void register_union_3(Registry& registry) {
   registry.add_structure<Regular_3>(regular_3_key, [](Context& context) {
     return regular_triangulation(*context.get(balls_3_key), context.progress());
   });
-  registry.add_structure<Dual_3>(
-      dual_3_key, [](Context& context) { return dual_complex(context.get(regular_3_key), context.progress()); });
+  registry.add_structure<Dual_3>(dual_3_key, compute_dual);
   registry.add_structure<Union_vertices_3>(union_vertices_3_key, [](Context& context) {
     return union_vertices(context.get(dual_3_key), context.progress());
   });
