@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/surface_3/module.h"
 
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/graph.h"
 #include "geometries/primitives_3.h"
@@ -18,21 +18,22 @@ namespace {
 
 constexpr Setting<double> tolerance_setting{"surface-tolerance"};
 
-/// The setting is a part of the diagonal of these balls' box.
-double tolerance_for(Context& context, const std::vector<Ball_3>& balls) {
+double diagonal_of(const std::vector<Ball_3>& balls) {
   Box box;
   for (const auto& [center, radius] : balls) {
     const Point_3 reach{radius, radius, radius};
     box.add(center - reach);
     box.add(center + reach);
   }
-  return context.setting(tolerance_setting) * box.diagonal();
+  return box.diagonal();
 }
 
 Union_surface_3 compute_surface(Context& context, std::shared_ptr<const Dual_3> dual, const std::string& name) {
-  const double tolerance = tolerance_for(context, dual->regular->balls);
+  const double diagonal = diagonal_of(dual->regular->balls);
+  const double tolerance = context.setting(tolerance_setting) * diagonal;
   if (!(tolerance > 0)) throw Unavailable("all balls are points: their union has no surface");
   Union_surface_3 surface = union_surface(std::move(dual), tolerance, context.progress());
+  context.measure(name + "-deviation", surface.deviation / diagonal);
   if (surface.folded_patches > 0)
     context.warn(name + ": the surface may fold over itself, by less than its tolerance, at " +
                  std::to_string(surface.folded_patches) + " patches");

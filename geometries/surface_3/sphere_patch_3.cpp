@@ -46,6 +46,11 @@ class Stereographic_projection {
     const double below = 1 - dot(direction, pole_);
     return {dot(direction, u_) / below, dot(direction, v_) / below};
   }
+  Point_3 inverse(const Kernel::Point_2& p) const {
+    const double square = p.x() * p.x() + p.y() * p.y();
+    const Point_3 scaled = (2 * p.x()) * u_ + (2 * p.y()) * v_ + (square - 1) * pole_;
+    return ball_.center + (ball_.radius / (1 + square)) * scaled;
+  }
 
  private:
   Ball_3 ball_;
@@ -147,22 +152,25 @@ class Patch_triangulation {
 
   void refine() {
     constexpr int most_rounds = 64;
-    std::vector<std::array<Point_3, 2>> wanted;
+    // Several times what a whole sphere needs.
+    const double most_points = 64 + 32 * patch_.ball.radius / deviation_;
+    std::vector<std::array<Point_3, 3>> wanted;
     for (int round = 0; round < most_rounds; ++round) {
       wanted.clear();
       for (const Face face : triangulation_.finite_face_handles())
         if (!face->info().is_outside) want_points(face, wanted);
-      if (wanted.empty()) return;
+      if (wanted.empty() || static_cast<double>(points_.size()) - boundary_count_ > most_points) return;
       const std::size_t before = points_.size();
-      for (const auto& [center, middle] : wanted)
-        if (!insert(center, before) && !(middle == center)) insert(middle, before);
+      for (const auto& places : wanted)
+        static_cast<void>(std::ranges::any_of(places, [&](const Point_3& p) { return insert(p, before); }));
       if (points_.size() == before) return;
     }
   }
 
-  /// Of a triangle that is too far from the sphere: the point of the sphere above its circumcenter, and the one above
-  /// the middle of its longest side where it is obtuse.
-  void want_points(const Face& face, std::vector<std::array<Point_3, 2>>& wanted) const {
+  /// Of a triangle that is too far from the sphere: the point of the sphere above its circumcenter, or else above the
+  /// middle of its longest side where it is obtuse, or else
+  /// the middle of its longest inner side in the projection, where chords have other places.
+  void want_points(const Face& face, std::vector<std::array<Point_3, 3>>& wanted) const {
     const auto corners = corners_of(face);
     const auto& [center, radius] = patch_.ball;
     const std::array<Point_3, 3> p{points_[corners[0]], points_[corners[1]], points_[corners[2]]};
@@ -174,7 +182,7 @@ class Patch_triangulation {
     if (radius - height <= deviation_) return;
     const Point_3 top = center + radius * up;
     Point_3 middle = top;
-    for (int i = 0; i < 3 && height > 0; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const Point_3& a = p[(i + 1) % 3];
       const Point_3& b = p[(i + 2) % 3];
       if (dot(a - p[i], b - p[i]) >= 0) continue;
@@ -183,7 +191,23 @@ class Patch_triangulation {
       if (radius - reach <= deviation_) return;
       middle = center + (radius / reach) * between;
     }
-    wanted.push_back({top, middle});
+    const auto inner = middle_of_longest_side(face);
+    wanted.push_back({top, middle, inner ? project_.inverse(*inner) : top});
+  }
+
+  /// Of the sides in the projection that may be divided; nullopt when there is none.
+  static std::optional<Kernel::Point_2> middle_of_longest_side(const Face& face) {
+    std::optional<Kernel::Point_2> middle;
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto& a = face->vertex(Triangulation::cw(i))->point();
+      const auto& b = face->vertex(Triangulation::ccw(i))->point();
+      const double square = CGAL::squared_distance(a, b);
+      if (face->is_constrained(i) || square <= most) continue;
+      most = square;
+      middle = CGAL::midpoint(a, b);
+    }
+    return middle;
   }
 
   /// False when it is outside of the patch. Points near to one that was inserted after the first `before` are left out:
@@ -261,24 +285,22 @@ Patch_mesh_3 fill_patch(const Sphere_patch_3& patch) {
   std::vector<Point_3> points;
   std::vector<int> ring = joined_loops(patch, points);
   Patch_mesh_3 result;
-  const auto cosine = [&](std::size_t i) {
-    const Point_3& p = points[ring[i]];
-    const Point_3 a = points[ring[(i + ring.size() - 1) % ring.size()]] - p;
-    const Point_3 b = points[ring[(i + 1) % ring.size()]] - p;
-    const Point_3 normal = cross(b, a);
-    const double size = std::sqrt(dot(a, a) * dot(b, b));
-    const double bend = size > 0 ? dot(a, b) / size : 1;
-    // Corners that are not convex come last.
-    constexpr double reflex = -3;
-    return dot(normal, p - patch.ball.center) > 0 ? bend : reflex - bend;
+  // The shorter the new side the better, so that thin patches are closed like a zip; corners that are not convex last.
+  const auto cost = [&](int before, int corner, int after) {
+    constexpr double reflex = 16;
+    const Point_3 normal = cross(points[after] - points[corner], points[before] - points[corner]);
+    const double side = squared_distance(points[before], points[after]);
+    return dot(normal, points[corner] - patch.ball.center) > 0 ? side : reflex * side;
   };
   while (ring.size() > 3) {
     std::size_t best = 0;
-    double sharpest = -std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (ring[(i + ring.size() - 1) % ring.size()] == ring[(i + 1) % ring.size()]) continue;
-      if (const double value = cosine(i); value > sharpest) {
-        sharpest = value;
+      const int before = ring[(i + ring.size() - 1) % ring.size()];
+      const int after = ring[(i + 1) % ring.size()];
+      if (before == after) continue;
+      if (const double value = cost(before, ring[i], after); value < least) {
+        least = value;
         best = i;
       }
     }

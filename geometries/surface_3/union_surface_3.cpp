@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "geometries/parallel.h"
@@ -15,11 +18,31 @@ namespace mesecina {
 namespace {
 
 /// Of the tolerance: for chords beside arcs, and again for triangles below spheres. What is left is for short edges.
-constexpr double part_of_deviation = 0.45;
-constexpr double part_of_short_edges = 0.1;
-/// How often arcs are halved where chords of a patch cross.
-constexpr int most_rounds = 5;
+constexpr double part_of_deviation = 0.5;
+constexpr double part_of_short_edges = 1e-9;
+/// How often an arc is halved where chords of a patch cross.
+constexpr std::uint8_t most_halvings = 8;
 constexpr std::size_t block = 256;
+
+double distance_to_segment(const Point_3& p, const Point_3& a, const Point_3& b) {
+  const Point_3 along = b - a;
+  const double square = dot(along, along);
+  const double t = square > 0 ? std::clamp(dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return distance(p, a + t * along);
+}
+
+double distance_to_triangle(const Point_3& p, const std::array<Point_3, 3>& corners) {
+  const Point_3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  double least = std::numeric_limits<double>::infinity();
+  bool is_above = dot(normal, normal) > 0;
+  for (int i = 0; i < 3; ++i) {
+    const Point_3& a = corners[i];
+    const Point_3& b = corners[(i + 1) % 3];
+    is_above = is_above && dot(cross(normal, b - a), p - a) >= 0;
+    least = std::min(least, distance_to_segment(p, a, b));
+  }
+  return is_above ? std::abs(dot(normal, p - corners[0])) / std::sqrt(dot(normal, normal)) : least;
+}
 
 class Surface_builder {
  public:
@@ -61,41 +84,57 @@ class Surface_builder {
     }
   }
 
+  /// Where chords cross, arcs are halved and patches on both sides are triangulated again.
   void triangulate() {
     const std::size_t count = boundary_.patch_count();
     meshes_.resize(count);
-    std::vector<std::uint8_t> is_open(count, 1);
-    for (int round = 0;; ++round) {
-      std::vector<int> todo;
-      for (std::size_t p = 0; p < count; ++p)
-        if (is_open[p] != 0) todo.push_back(static_cast<int>(p));
-      std::vector<std::uint8_t> has_failed(todo.size(), 0);
-      parallel_blocks((todo.size() + block - 1) / block, progress_, [&](std::size_t b) {
-        for (std::size_t i = b * block; i < std::min(todo.size(), (b + 1) * block); ++i) {
-          auto mesh = triangulated(todo[i]);
+    halvings_.assign(steps_.size(), 0);
+    std::vector<std::uint8_t> is_filled(count, 0);
+    std::vector<int> open(count);
+    std::iota(open.begin(), open.end(), 0);
+    while (!open.empty()) {
+      std::vector<std::uint8_t> has_failed(open.size(), 0);
+      parallel_blocks((open.size() + block - 1) / block, progress_, [&](std::size_t b) {
+        for (std::size_t i = b * block; i < std::min(open.size(), (b + 1) * block); ++i) {
+          auto mesh = triangulated(open[i]);
           has_failed[i] = mesh ? 0 : 1;
-          if (mesh) {
-            meshes_[todo[i]] = std::move(*mesh);
-          } else if (round == most_rounds) {
-            meshes_[todo[i]] = fill_patch(outline(todo[i]));
-          }
+          if (mesh) meshes_[open[i]] = std::move(*mesh);
         }
       });
-      const auto failures = std::ranges::count(has_failed, 1);
-      if (round == most_rounds) result_.folded_patches = static_cast<std::size_t>(failures);
-      if (failures == 0 || round == most_rounds) return;
       std::vector<std::uint8_t> is_halved(steps_.size(), 0);
-      for (std::size_t i = 0; i < todo.size(); ++i) {
-        if (has_failed[i] == 0) continue;
-        for_each_side(todo[i], [&](const Union_boundary_3::Side& side) { is_halved[side.arc] = 1; });
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        is_filled[open[i]] = 0;
+        if (has_failed[i] == 0 || choose_arcs(open[i], is_halved)) continue;
+        is_filled[open[i]] = 1;
+        meshes_[open[i]] = fill_patch(outline(open[i]));
       }
-      for (std::size_t a = 0; a < steps_.size(); ++a) steps_[a] *= 1 + is_halved[a];
+      for (std::size_t a = 0; a < steps_.size(); ++a) {
+        steps_[a] *= 1 + is_halved[a];
+        halvings_[a] += is_halved[a];
+      }
+      open.clear();
       for (std::size_t p = 0; p < count; ++p) {
-        is_open[p] = 0;
+        bool is_touched = false;
         for_each_side(static_cast<int>(p),
-                      [&](const Union_boundary_3::Side& side) { is_open[p] |= is_halved[side.arc]; });
+                      [&](const Union_boundary_3::Side& side) { is_touched = is_touched || is_halved[side.arc] != 0; });
+        if (is_touched) open.push_back(static_cast<int>(p));
       }
     }
+    result_.folded_patches = static_cast<std::size_t>(std::ranges::count(is_filled, 1));
+  }
+
+  /// Of the arcs around the patch those whose chords are farthest from them; false when they were halved often enough.
+  bool choose_arcs(int patch, std::vector<std::uint8_t>& is_halved) const {
+    constexpr double comparable = 0.25;
+    double most = 0;
+    for_each_side(patch, [&](const Union_boundary_3::Side& side) {
+      if (halvings_[side.arc] < most_halvings) most = std::max(most, sagitta(side.arc));
+    });
+    for_each_side(patch, [&](const Union_boundary_3::Side& side) {
+      if (halvings_[side.arc] < most_halvings && sagitta(side.arc) >= comparable * most && most > 0)
+        is_halved[side.arc] = 1;
+    });
+    return most > 0;
   }
 
   template <class Body>
@@ -181,13 +220,34 @@ class Surface_builder {
     collapse_short_edges(mesh, patch_of_triangle, part_of_short_edges * tolerance_, progress_);
     result_.ball_of_triangle.reserve(patch_of_triangle.size());
     for (const int patch : patch_of_triangle) result_.ball_of_triangle.push_back(boundary_.patch_balls[patch]);
+    measure();
+  }
+
+  void measure() {
+    double of_arcs = 0;
+    for (std::size_t a = 0; a < steps_.size(); ++a) of_arcs = std::max(of_arcs, sagitta(static_cast<int>(a)));
+    double of_triangles = 0;
+    for (std::size_t t = 0; t < result_.mesh.triangles.size(); ++t) {
+      const auto& [center, radius] = boundary_.dual->regular->balls[result_.ball_of_triangle[t]];
+      const auto& [a, b, c] = result_.mesh.triangles[t];
+      const auto& points = result_.mesh.vertices;
+      of_triangles = std::max(of_triangles, radius - distance_to_triangle(center, {points[a], points[b], points[c]}));
+    }
+    result_.deviation = of_arcs + of_triangles;
+  }
+
+  /// How far the chords of an arc are from it.
+  double sagitta(int arc) const {
+    const double half = std::sin(boundary_.arcs[arc].angle / (4 * steps_[arc]));
+    return 2 * boundary_.arcs[arc].radius * half * half;
   }
 
   const Union_boundary_3& boundary_;
   double deviation_;
   double tolerance_;
   Progress& progress_;
-  std::vector<int> steps_;  ///< per arc
+  std::vector<int> steps_;              ///< per arc
+  std::vector<std::uint8_t> halvings_;  ///< per arc
   std::vector<Patch_mesh_3> meshes_;
   Union_surface_3 result_;
 };

@@ -12,6 +12,9 @@ namespace mesecina {
 struct Union_surface_3 {
   Triangle_mesh_3 mesh;
   std::vector<int> ball_of_triangle;  ///< the ball near whose sphere each one lies
+  /// No point of the mesh is farther than this from the sphere of its ball, and no arc from its chords: together the
+  /// bound of the distance to the boundary that was reached.
+  double deviation = 0;
   /// Patches whose loops, as chords, cross however finely they are divided: there triangles may fold over each other,
   /// by less than the tolerance.
   std::size_t folded_patches = 0;
