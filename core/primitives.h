@@ -112,8 +112,8 @@ Primitive_set apply_cut(const Primitive_set& set, const Cut& cut);
 /// Of the complex formed by the points, segments, arcs, triangles and, in space, polygons of a set (their vertices and
 /// edges belong to it); `known_topology` where there is one. An arc is an edge of its own, also beside others between
 /// the same vertices, and a whole circle is a loop. Polygons are cells, glued to an edge as often as they visit it.
-/// nullopt for sets with other primitives, or that are no complex, and for polygons in the plane. Betti numbers are over
-/// the field of two elements, so b2 also counts closed surfaces that have no orientation; in the plane b2 is 0.
+/// nullopt for sets with other primitives, or that are no complex, and for polygons in the plane. Betti numbers are
+/// over the field of two elements, so b2 also counts closed surfaces that have no orientation; in the plane b2 is 0.
 /// O(n log n). In space no proven bound: a medial axis or a foam of a million faces takes about a second, a complex of
 /// many faces at random among few vertices the cube of their number.
 std::optional<Topology> topology(const Primitive_set& set);

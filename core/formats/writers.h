@@ -28,8 +28,8 @@ void write_obj_layer(std::ostream& stream, const Layer_document& document);
 /// the radius, 0 for points) as properties. Else every vertex of the layer is written once (with its radius as
 /// vertex_radii gives it, if there are any), triangles are faces, and segments, arcs (polylines with at most one degree
 /// per edge) and polygons (closed) are edges, both with the values of their element; but polygons of space are faces,
-/// after the triangles. Rays, and values of points and balls of such a layer, are left out and counted in a comment. The
-/// name of a value keeps only letters, digits, '-' and '_'.
+/// after the triangles. Rays, and values of points and balls of such a layer, are left out and counted in a comment.
+/// The name of a value keeps only letters, digits, '-' and '_'.
 void write_ply_layer(std::ostream& stream, const Layer_document& document);
 
 /// OFF of text: all vertices, then segments as faces of two vertices, triangles and polygons. Points and balls are only

@@ -62,7 +62,8 @@ class Query {
   double quotient_below(const Disk& larger, double value) const {
     const double result = quotient(disk_, larger);
     if (!(result < value) || least_ == 0) return result;
-    return std::max(result, least_within(std::sqrt(squared_distance(Point_2{disk_.x, disk_.y}, Point_2{larger.x, larger.y}))));
+    return std::max(result,
+                    least_within(std::sqrt(squared_distance(Point_2{disk_.x, disk_.y}, Point_2{larger.x, larger.y}))));
   }
 
  private:
