@@ -26,15 +26,18 @@ function(mesecina_library name)
   endif()
 endfunction()
 
-# mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE]): a GoogleTest program, with one
-# variable of its environment set (more do not survive the discovery of tests).
+# mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE] [TIMEOUT seconds]): a GoogleTest
+# program, with one variable of its environment set (more do not survive the discovery of tests).
 function(mesecina_test name)
-  cmake_parse_arguments(ARG "QT" "LABEL" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "QT" "LABEL;TIMEOUT" "SOURCES;LINK;ENVIRONMENT" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE mesecina_options ${ARG_LINK} GTest::gtest GTest::gmock)
   if(ARG_QT)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
   endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABEL}" ENVIRONMENT
-                       "${ARG_ENVIRONMENT}" TIMEOUT 300)
+                       "${ARG_ENVIRONMENT}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
