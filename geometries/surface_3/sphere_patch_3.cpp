@@ -13,6 +13,8 @@
 #include <map>
 #include <utility>
 
+#include "geometries/surface_3/loop_nodes_3.h"
+
 namespace mesecina {
 
 namespace {
@@ -59,14 +61,19 @@ class Stereographic_projection {
   Point_3 v_;
 };
 
+/// Parts of the radius: what is nearer is one point but for rounding, and what is smaller is no more than a point.
+constexpr double same_part = 1e-10;
+constexpr double tiny_part = 1e-6;
+
 class Patch_triangulation {
  public:
-  Patch_triangulation(const Sphere_patch_3& patch, double deviation)
-      : patch_(patch), deviation_(deviation), project_(patch.ball, patch.pole) {}
+  Patch_triangulation(const Sphere_patch_3& patch, const Loop_nodes_3& nodes, double deviation)
+      : patch_(patch), nodes_(nodes), deviation_(deviation), project_(patch.ball, patch.pole) {}
 
-  std::optional<Patch_mesh_3> run() {
+  /// Where `is_apart`, nodes are moved a little into the patch before, so that loops may touch.
+  std::optional<Patch_mesh_3> run(bool is_apart) {
     try {
-      if (!insert_loops()) return std::nullopt;
+      if (!insert_nodes(is_apart)) return std::nullopt;
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
       return std::nullopt;
     }
@@ -76,39 +83,56 @@ class Patch_triangulation {
     result.inner_points.assign(points_.begin() + boundary_count_, points_.end());
     for (const Face face : triangulation_.finite_face_handles())
       if (!face->info().is_outside) result.triangles.push_back(corners_of(face));
+    result.triangles = nodes_.expanded(std::move(result.triangles));
     return result;
   }
 
  private:
-  /// False when two points are projected to one.
-  bool insert_loops() {
-    Face hint;
-    for (const auto& loop : patch_.loops) {
-      for (const Point_3& p : loop) {
-        const std::size_t before = triangulation_.number_of_vertices();
-        const Kernel::Point_2 projected = project_(p);
-        if (!std::isfinite(projected.x()) || !std::isfinite(projected.y())) return false;
-        const Vertex vertex = triangulation_.insert(projected, hint);
-        if (triangulation_.number_of_vertices() == before) return false;
-        vertex->info() = static_cast<int>(points_.size());
-        points_.push_back(p);
-        vertices_.push_back(vertex);
-        hint = vertex->face();
-      }
-    }
+  /// False when two nodes are projected to one point.
+  bool insert_nodes(bool is_apart) {
+    points_ = nodes_.points();
     boundary_count_ = static_cast<int>(points_.size());
+    std::vector<Kernel::Point_2> projected;
+    for (const Point_3& p : points_) {
+      projected.push_back(project_(p));
+      if (!std::isfinite(projected.back().x()) || !std::isfinite(projected.back().y())) return false;
+    }
+    if (is_apart) move_apart(projected);
+    vertices_.resize(points_.size());
+    Face hint;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      vertices_[i] = triangulation_.insert(projected[i], hint);
+      if (triangulation_.number_of_vertices() != i + 1) return false;
+      vertices_[i]->info() = static_cast<int>(i);
+      hint = vertices_[i]->face();
+    }
     for_each_side([&](int a, int b) { triangulation_.insert_constraint(vertices_[a], vertices_[b]); });
     return triangulation_.dimension() == 2;
   }
 
+  void move_apart(std::vector<Kernel::Point_2>& projected) const {
+    constexpr double part_of_side = 1e-5;
+    const std::vector<Kernel::Point_2> old = projected;
+    for (const auto& loop : nodes_.loops()) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Kernel::Vector_2 before = old[loop[i]] - old[loop[(i + loop.size() - 1) % loop.size()]];
+        const Kernel::Vector_2 after = old[loop[(i + 1) % loop.size()]] - old[loop[i]];
+        const double in = std::sqrt(before.squared_length());
+        const double out = std::sqrt(after.squared_length());
+        if (in == 0 || out == 0) continue;
+        const Kernel::Vector_2 along = before / in + after / out;
+        const double size = std::sqrt(along.squared_length());
+        if (size == 0) continue;
+        projected[loop[i]] =
+            old[loop[i]] + along.perpendicular(CGAL::COUNTERCLOCKWISE) * (part_of_side * std::min(in, out) / size);
+      }
+    }
+  }
+
   template <class Body>
   void for_each_side(const Body& body) const {
-    int first = 0;
-    for (const auto& loop : patch_.loops) {
-      const int count = static_cast<int>(loop.size());
-      for (int i = 0; i < count; ++i) body(first + i, first + (i + 1) % count);
-      first += count;
-    }
+    for (const auto& loop : nodes_.loops())
+      for (std::size_t i = 0; i < loop.size(); ++i) body(loop[i], loop[(i + 1) % loop.size()]);
   }
 
   /// False when the faces between the loops do not make up the patch.
@@ -142,7 +166,7 @@ class Patch_triangulation {
       for (int i = 0; i < 3; ++i)
         if (!face->is_constrained(i)) open.push_back(face->neighbor(i));
     }
-    return count + 4 == points_.size() + 2 * patch_.loops.size() &&
+    return count + 4 == points_.size() + 2 * nodes_.loops().size() + nodes_.tiny_loops().size() &&
            std::ranges::all_of(across, [](const Face& face) { return face->info().is_outside; });
   }
 
@@ -188,8 +212,14 @@ class Patch_triangulation {
       if (dot(a - p[i], b - p[i]) >= 0) continue;
       const Point_3 between = midpoint(a, b) - center;
       const double reach = length(between);
-      if (radius - reach <= deviation_) return;
-      middle = center + (radius / reach) * between;
+      if (radius - reach > deviation_) {
+        if (reach > 0) middle = center + (radius / reach) * between;
+        continue;
+      }
+      // It is narrow and near enough. But where its circle goes around more than half of the sphere, that half is
+      // empty.
+      if (height < 0) wanted.push_back({top, top, top});
+      return;
     }
     const auto inner = middle_of_longest_side(face);
     wanted.push_back({top, middle, inner ? project_.inverse(*inner) : top});
@@ -216,6 +246,8 @@ class Patch_triangulation {
     const double spacing = 2 * patch_.ball.radius * deviation_ / 3;
     const Kernel::Point_2 projected = project_(p);
     if (!std::isfinite(projected.x()) || !std::isfinite(projected.y())) return false;
+    // At the pole, where the patch is not, rounding could give any place.
+    if (distance(project_.inverse(projected), p) > tiny_part * patch_.ball.radius) return false;
     Triangulation::Locate_type type{};
     int index = 0;
     const Face face = triangulation_.locate(projected, type, index);
@@ -231,6 +263,7 @@ class Patch_triangulation {
   }
 
   const Sphere_patch_3& patch_;
+  const Loop_nodes_3& nodes_;
   double deviation_;
   Stereographic_projection project_;
   Triangulation triangulation_;
@@ -275,10 +308,56 @@ std::vector<int> joined_loops(const Sphere_patch_3& patch, std::vector<Point_3>&
   return ring;
 }
 
+/// Puts points of the sphere into the triangles: in place of a vertex, or into the triangle below.
+void insert_on_sphere(const Ball_3& ball, const std::vector<Point_3>& added, const std::vector<Point_3>& vertices,
+                      std::vector<std::array<int, 3>>& triangles) {
+  const int count = static_cast<int>(added.size());
+  const auto direction = [&](int i) { return (i < count ? added[i] : vertices[i - count]) - ball.center; };
+  for (int i = 0; i < count; ++i) {
+    const Point_3 up = direction(i);
+    double most = -std::numeric_limits<double>::infinity();
+    std::size_t below = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto& corners = triangles[t];
+      double inside = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 3; ++k)
+        inside = std::min(inside, dot(up, cross(direction(corners[k]), direction(corners[(k + 1) % 3]))));
+      if (inside <= most) continue;
+      most = inside;
+      below = t;
+    }
+    const auto [a, b, c] = triangles[below];
+    for (const int old : {a, b, c}) {
+      if (old < count || squared_distance(direction(old), up) > same_part * dot(up, up)) continue;
+      for (auto& triangle : triangles) std::ranges::replace(triangle, old, i);
+    }
+    if (std::ranges::count(triangles[below], i) != 0) continue;
+    triangles[below] = {a, b, i};
+    triangles.push_back({b, c, i});
+    triangles.push_back({c, a, i});
+  }
+}
+
+/// A sphere that is touched in points only.
+Patch_mesh_3 triangulate_touched_sphere(const Ball_3& ball, const Loop_nodes_3& nodes, double deviation) {
+  Patch_mesh_3 result = triangulate_sphere(ball, deviation);
+  const int count = static_cast<int>(nodes.points().size());
+  for (auto& triangle : result.triangles)
+    for (int& corner : triangle) corner += count;
+  insert_on_sphere(ball, nodes.points(), result.inner_points, result.triangles);
+  result.triangles = nodes.expanded(std::move(result.triangles));
+  return result;
+}
+
 }  // namespace
 
 std::optional<Patch_mesh_3> triangulate_patch(const Sphere_patch_3& patch, double deviation) {
-  return Patch_triangulation(patch, deviation).run();
+  const double radius = patch.ball.radius;
+  const Loop_nodes_3 nodes(patch.loops, same_part * radius, tiny_part * radius);
+  if (nodes.loops().empty() && radius > 0) return triangulate_touched_sphere(patch.ball, nodes, deviation);
+  for (const bool is_apart : {false, true})
+    if (auto mesh = Patch_triangulation(patch, nodes, deviation).run(is_apart)) return mesh;
+  return std::nullopt;
 }
 
 Patch_mesh_3 fill_patch(const Sphere_patch_3& patch) {
