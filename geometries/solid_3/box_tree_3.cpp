@@ -27,6 +27,17 @@ Box_tree_3::Box_tree_3(std::span<const Box> boxes, Progress& progress) {
   for (const Item& item : items) order_.push_back(item.index);
 }
 
+std::vector<double> Box_tree_3::largest_below(std::span<const double> values) const {
+  std::vector<double> result(nodes_.size());
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    const Node& node = nodes_[k];
+    result[k] = node.count <= leaf_size
+                    ? std::ranges::max(values.subspan(static_cast<std::size_t>(node.first), node.count))
+                    : std::max(result[k + 1], result[right_child(k)]);
+  }
+  return result;
+}
+
 void Box_tree_3::build(int k, int first, int count, std::span<const Box> boxes, std::vector<Item>& items,
                        Progress& progress) {
   Node& node = nodes_[k];

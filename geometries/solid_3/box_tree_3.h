@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,10 @@ class Box_tree_3 {
   /// Of everything.
   const Box& box() const { return nodes_.front().box; }
 
+  /// Per node the largest of the values of its items, which are given by position. For bounds that are asked about
+  /// (box, node).
+  std::vector<double> largest_below(std::span<const double> values) const;
+
   /// Calls visit(position) for all items in the leaves below which `meets(box)` was true all the way: at least those
   /// whose own box meets. Stops when visit returns false. In the order of positions.
   template <class Meets, class Visit>
@@ -58,7 +63,7 @@ class Box_tree_3 {
       const int k = stack[--size];
       const Node& node = nodes_[k];
       const int end = node.first + node.count;
-      if (end <= first || !meets(node.box)) continue;
+      if (end <= first || !ask(meets, k)) continue;
       if (node.count <= leaf_size) {
         for (int i = std::max(first, node.first); i < end; ++i)
           if (!visit(i)) return;
@@ -76,7 +81,7 @@ class Box_tree_3 {
     if (nodes_.empty()) return;
     std::array<std::pair<int, double>, depth_limit> stack;
     std::size_t size = 0;
-    stack[size++] = {0, bound(nodes_.front().box)};
+    stack[size++] = {0, ask(bound, 0)};
     while (size > 0) {
       const auto [k, least] = stack[--size];
       if (least > limit) continue;
@@ -85,8 +90,8 @@ class Box_tree_3 {
         for (int i = node.first; i < node.first + node.count; ++i) visit(i);
         continue;
       }
-      std::pair<int, double> near{k + 1, bound(nodes_[k + 1].box)};
-      std::pair<int, double> far{right_child(k), bound(nodes_[right_child(k)].box)};
+      std::pair<int, double> near{k + 1, ask(bound, k + 1)};
+      std::pair<int, double> far{right_child(k), ask(bound, right_child(k))};
       if (far.second < near.second) std::swap(near, far);
       stack[size++] = far;
       stack[size++] = near;
@@ -108,6 +113,15 @@ class Box_tree_3 {
     int index = 0;
   };
 
+  /// About a box, or about a box and its node.
+  template <class Question>
+  auto ask(const Question& question, int k) const {
+    if constexpr (std::is_invocable_v<const Question&, const Box&, int>) {
+      return question(nodes_[k].box, k);
+    } else {
+      return question(nodes_[k].box);
+    }
+  }
   static int leaves(int count) { return (count + leaf_size - 1) / leaf_size; }
   static int left_count(int count) { return leaf_size * ((leaves(count) + 1) / 2); }
   int right_child(int k) const { return k + 2 * leaves(left_count(nodes_[k].count)); }

@@ -293,7 +293,7 @@ Solid_3 finish(Work work, Progress& progress) {
 
 }  // namespace
 
-Solid_3 make_solid(std::shared_ptr<const Triangle_mesh_3> mesh, Repair repair, Progress& progress) {
+Solid_3 make_solid(const std::shared_ptr<const Triangle_mesh_3>& mesh, Repair repair, Progress& progress) {
   progress.begin_stage("Solid");
   Clean_mesh_3 clean = clean_mesh(*mesh);
   if (clean.mesh.triangles.empty()) {

@@ -40,7 +40,7 @@ struct Solid_3 {
 
 /// The solid that a mesh means. Throws Unavailable with a reason and what to do where there is none (no triangles with
 /// area; repair off and the mesh open ...).
-Solid_3 make_solid(std::shared_ptr<const Triangle_mesh_3> mesh, Repair repair, Progress& progress);
+Solid_3 make_solid(const std::shared_ptr<const Triangle_mesh_3>& mesh, Repair repair, Progress& progress);
 
 /// Per point: it lies in the solid, or on its surface. Exact for the surface as it is. O(log n) per point, on as many
 /// threads as `progress` allows.

@@ -2,7 +2,6 @@
 #include "geometries/solid_3/surface_locator_3.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mesecina {
 
@@ -32,11 +31,16 @@ bool Surface_locator_3::contains(const Point_3& p) const {
   return is_on || winding > 0;
 }
 
-double Surface_locator_3::squared_distance(const Point_3& p) const {
-  double least = std::numeric_limits<double>::infinity();
-  tree_.approach([&](const Box& box) { return mesecina::squared_distance(box, p); }, least,
-                 [&](int i) { least = std::min(least, mesecina::squared_distance(corners_[i], p)); });
-  return least;
+Surface_locator_3::Nearest Surface_locator_3::nearest(const Point_3& p, int guess) const {
+  Nearest result;
+  if (corners_.empty()) return result;
+  result = {mesecina::squared_distance(corners_[guess], p), guess};
+  tree_.approach([&](const Box& box) { return mesecina::squared_distance(box, p); }, result.squared_distance,
+                 [&](int i) {
+                   const double square = mesecina::squared_distance(corners_[i], p);
+                   if (square < result.squared_distance) result = {square, i};
+                 });
+  return result;
 }
 
 // [C. Ericson: Real-Time Collision Detection, 2005, section 5.1.5]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/inputs.h"
@@ -20,7 +21,14 @@ class Surface_locator_3 {
   /// surface. O(log n) for surfaces that are not crossed often by one line.
   bool contains(const Point_3& p) const;
   /// To the nearest point of the surface; infinite without triangles. To rounding.
-  double squared_distance(const Point_3& p) const;
+  double squared_distance(const Point_3& p) const { return nearest(p, 0).squared_distance; }
+
+  struct Nearest {
+    double squared_distance = std::numeric_limits<double>::infinity();
+    int position = 0;  ///< of a triangle that is so far
+  };
+  /// Fast when the triangle at position `guess` is near to the point.
+  Nearest nearest(const Point_3& p, int guess) const;
 
   const Box_tree_3& tree() const { return tree_; }
   /// By position in the tree.
