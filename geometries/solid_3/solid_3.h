@@ -29,7 +29,10 @@ struct Solid_3 {
   /// Closed, without crossings up to rounding, oriented with its normals out of the solid. Vertices at the same place
   /// are one, every vertex is used, every triangle has area.
   Triangle_mesh_3 surface;
-  std::string treatment;             ///< what was done, for statistics: "none", "oriented", "wrapped", ...
+  /// What was done, for statistics: "none", or of "stitched" (open edges joined with others at the same place),
+  /// "trimmed" (fins and inner walls left out), "oriented", "filled" (holes), "united" (cut where it crosses itself)
+  /// those that apply, in this order and with commas, or "wrapped".
+  std::string treatment;
   std::vector<std::string> remarks;  ///< a sentence each, with numbers, on what was found and what was done about it
   int components = 0;                ///< of the surface, joined by edges
   /// Of the closed solid: for a handlebody of genus g the Euler characteristic is 1 - g; the Betti numbers are those of
