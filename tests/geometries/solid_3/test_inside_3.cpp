@@ -28,6 +28,14 @@ void expect_inside_as_defined(const Triangle_mesh_3& mesh, int count) {
 
 TEST(Inside_3, BoxWithRaysThroughEdgesAndCorners) { expect_inside_as_defined(box_mesh({0, 0, 0}, {4, 3, 2}), 400); }
 
+TEST(Inside_3, RaysThroughAVertexCountOnce) {
+  const Triangle_mesh_3 mesh{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 1, 1}},
+                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  expect_inside_as_defined(mesh, 300);
+  EXPECT_EQ(inside_of(solid_of(mesh), {{1, 1, -1}, {0.5, 0.5, -1}, {1, 1, 0.5}, {1, 1, 2}, {0.5, 0.5, 0.25}}),
+            (std::vector<std::uint8_t>{0, 0, 1, 0, 1}));
+}
+
 TEST(Inside_3, PointsOfALatticeThatHoldsTheSurface) {
   const Triangle_mesh_3 mesh = joined({box_mesh({0, 0, 0}, {6, 6, 6}), box_mesh({2, 2, 2}, {4, 4, 4})});
   const Solid_3 solid = solid_of(mesh);

@@ -12,6 +12,7 @@ namespace mesecina::test {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -169,6 +170,15 @@ TEST(Repair_3, FinsAndInnerWallsAreTrimmed) {
   const Solid_3 both = solid_of(halves);
   EXPECT_EQ(both.treatment, "trimmed");
   EXPECT_DOUBLE_EQ(volume(both.surface), 400);
+}
+
+TEST(Repair_3, WhatTouchesAlongAnEdgeIsNoFin) {
+  Triangle_mesh_3 mesh = joined({box_mesh({0, 0, 0}, {40, 40, 40}), box_mesh({40, 40, 0}, {40.1, 40.1, 40})});
+  mesh.vertices.push_back({20, -0.1, -0.1});
+  mesh.triangles.push_back({0, 1, static_cast<int>(mesh.vertices.size()) - 1});
+  const Solid_3 solid = solid_of(mesh);
+  EXPECT_NEAR(volume(solid.surface), 64000.4, 1e-9);
+  EXPECT_THAT(solid.remarks, Contains(HasSubstr("1 triangle left out")));
 }
 
 /// The wrap holds all triangles and is near to them.

@@ -113,6 +113,16 @@ TEST(Surface_error_3, TwoBallsThatMeetAndTwoThatDoNot) {
   expect_as_sampled(mesh, {{{-1.2, 0.1, 0}, 0.9}, {{1.2, 0, 0.2}, 1.1}}, 0.003, 0.02);
 }
 
+TEST(Surface_error_3, BoundaryIsNearestWhereTwoSpheresMeet) {
+  // A needle in the common plane of two spheres, from the middle outward; the boundary has no vertices.
+  const double across = 1e-3;
+  const Triangle_mesh_3 needle = box_mesh({-across, -across, 0}, {across, across, 0.5});
+  const double diagonal = diagonal_of(needle);
+  const Surface_error_3 error = error_of(needle, {{{-1, 0, 0}, 1.5}, {{1, 0, 0}, 1.5}}, 2e-3);
+  EXPECT_NEAR(error.from_input * diagonal, std::sqrt(1.25), 3e-3);
+  EXPECT_NEAR(error.to_input * diagonal, 2.5, 3e-3);
+}
+
 TEST(Surface_error_3, RandomBallsInAndAroundShapes) {
   Random random(31);
   for (int round = 0; round < 6; ++round) {
