@@ -7,7 +7,7 @@
 
 namespace mesecina {
 
-Loop_nodes_3::Loop_nodes_3(const std::vector<std::vector<Point_3>>& loops, double same, double tiny) {
+Loop_nodes_3::Loop_nodes_3(const std::vector<std::vector<Point_3>>& loops, double same, double tiny) : same_(same) {
   for (const auto& loop : loops) {
     const int count = static_cast<int>(loop.size());
     const int first = std::exchange(point_count_, point_count_ + count);
@@ -35,6 +35,15 @@ Loop_nodes_3::Loop_nodes_3(const std::vector<std::vector<Point_3>>& loops, doubl
       rows_.back().push_back(all[at]);
     }
   }
+}
+
+bool Loop_nodes_3::has_touching_nodes() const {
+  std::vector<Point_3> sorted = points_;
+  std::ranges::sort(sorted, {}, &Point_3::x);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    for (std::size_t j = i + 1; j < sorted.size() && sorted[j].x - sorted[i].x < same_; ++j)
+      if (distance(sorted[i], sorted[j]) < same_) return true;
+  return false;
 }
 
 std::vector<std::array<int, 3>> Loop_nodes_3::expanded(std::vector<std::array<int, 3>> triangles) const {

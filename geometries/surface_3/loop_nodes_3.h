@@ -20,6 +20,8 @@ class Loop_nodes_3 {
   const std::vector<Point_3>& points() const { return points_; }
   /// Of the loops that are more than one node, each as its nodes.
   const std::vector<std::vector<int>>& loops() const { return loops_; }
+  /// Two nodes are nearer to each other than `same`: loops touch each other, or themselves. O(n log n).
+  bool has_touching_nodes() const;
   /// The nodes that are whole loops.
   const std::vector<int>& tiny_loops() const { return tiny_loops_; }
 
@@ -31,6 +33,7 @@ class Loop_nodes_3 {
  private:
   void open_tiny_loop(int node, std::vector<std::array<int, 3>>& triangles) const;
 
+  double same_ = 0;
   int point_count_ = 0;
   std::vector<Point_3> points_;
   std::vector<std::vector<int>> rows_;  ///< per node its points

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "geometries/surface_3/loop_nodes_3.h"
@@ -88,8 +89,9 @@ class Patch_triangulation {
   }
 
  private:
-  /// False when two nodes are projected to one point.
+  /// False when two nodes are projected to one point, or a loop has too few.
   bool insert_nodes(bool is_apart) {
+    if (std::ranges::any_of(nodes_.loops(), [](const std::vector<int>& loop) { return loop.size() < 3; })) return false;
     points_ = nodes_.points();
     boundary_count_ = static_cast<int>(points_.size());
     std::vector<Kernel::Point_2> projected;
@@ -349,42 +351,57 @@ Patch_mesh_3 triangulate_touched_sphere(const Ball_3& ball, const Loop_nodes_3& 
   return result;
 }
 
+/// All loops are nearly points, and not because the balls around them have only so little of the sphere.
+bool is_tiny(const Sphere_patch_3& patch) {
+  const double limit = tiny_part * patch.ball.radius;
+  return patch.cosine < 1 - tiny_part && std::ranges::all_of(patch.loops, [&](const std::vector<Point_3>& loop) {
+           return std::ranges::all_of(loop, [&](const Point_3& p) { return distance(p, loop.front()) < limit; });
+         });
+}
+
 }  // namespace
 
 std::optional<Patch_mesh_3> triangulate_patch(const Sphere_patch_3& patch, double deviation) {
   const double radius = patch.ball.radius;
-  const Loop_nodes_3 nodes(patch.loops, same_part * radius, tiny_part * radius);
+  // Loops are tiny holes only where nothing but tiny parts of the sphere, or another loop, is around the patch.
+  const Loop_nodes_3 nodes(patch.loops, same_part * radius, is_tiny(patch) ? 0 : tiny_part * radius);
   if (nodes.loops().empty() && radius > 0) return triangulate_touched_sphere(patch.ball, nodes, deviation);
-  for (const bool is_apart : {false, true})
-    if (auto mesh = Patch_triangulation(patch, nodes, deviation).run(is_apart)) return mesh;
+  if (auto mesh = Patch_triangulation(patch, nodes, deviation).run(false)) return mesh;
+  if (nodes.has_touching_nodes()) return Patch_triangulation(patch, nodes, deviation).run(true);
   return std::nullopt;
 }
 
 Patch_mesh_3 fill_patch(const Sphere_patch_3& patch) {
+  constexpr double reflex_weight = 16;
   std::vector<Point_3> points;
   std::vector<int> ring = joined_loops(patch, points);
   Patch_mesh_3 result;
-  // The shorter the new side the better, so that thin patches are closed like a zip; corners that are not convex last.
+  std::set<std::array<int, 2>> sides;
+  const auto side = [](int a, int b) { return std::array<int, 2>{std::min(a, b), std::max(a, b)}; };
+  for (std::size_t i = 0; i < ring.size(); ++i) sides.insert(side(ring[i], ring[(i + 1) % ring.size()]));
+  // New sides first, convex corners before others, and then the shorter the side the better, so that thin patches are
+  // closed like a zip.
   const auto cost = [&](int before, int corner, int after) {
-    constexpr double reflex = 16;
     const Point_3 normal = cross(points[after] - points[corner], points[before] - points[corner]);
-    const double side = squared_distance(points[before], points[after]);
-    return dot(normal, points[corner] - patch.ball.center) > 0 ? side : reflex * side;
+    const double weight = dot(normal, points[corner] - patch.ball.center) > 0 ? 1 : reflex_weight;
+    return std::pair(sides.contains(side(before, after)), weight * squared_distance(points[before], points[after]));
   };
   while (ring.size() > 3) {
     std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    std::pair<bool, double> least{true, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int before = ring[(i + ring.size() - 1) % ring.size()];
       const int after = ring[(i + 1) % ring.size()];
       if (before == after) continue;
-      if (const double value = cost(before, ring[i], after); value < least) {
+      if (const auto value = cost(before, ring[i], after); value < least) {
         least = value;
         best = i;
       }
     }
-    result.triangles.push_back(
-        {ring[(best + ring.size() - 1) % ring.size()], ring[best], ring[(best + 1) % ring.size()]});
+    const int before = ring[(best + ring.size() - 1) % ring.size()];
+    const int after = ring[(best + 1) % ring.size()];
+    result.triangles.push_back({before, ring[best], after});
+    sides.insert(side(before, after));
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
   }
   result.triangles.push_back({ring[0], ring[1], ring[2]});

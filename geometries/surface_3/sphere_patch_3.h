@@ -13,7 +13,9 @@ namespace mesecina {
 struct Sphere_patch_3 {
   Ball_3 ball;
   std::vector<std::vector<Point_3>> loops;
-  Point_3 pole;  ///< unit vector toward a point of the sphere that is well outside of the patch
+  /// Outside of the patch is all of the sphere within some angle of the pole, a unit vector; and that angle's cosine.
+  Point_3 pole;
+  double cosine = 1;
 };
 
 /// Points are those of the loops, one loop after the other, then the inner ones.

@@ -123,18 +123,20 @@ class Surface_builder {
     result_.folded_patches = static_cast<std::size_t>(std::ranges::count(is_filled, 1));
   }
 
-  /// Of the arcs around the patch those whose chords are farthest from them; false when they were halved often enough.
+  /// Of the arcs around the patch those whose chords are farthest from them; false when they were halved often enough,
+  /// or the difference is nothing.
   bool choose_arcs(int patch, std::vector<std::uint8_t>& is_halved) const {
     constexpr double comparable = 0.25;
+    constexpr double negligible = 1e-9;
     double most = 0;
     for_each_side(patch, [&](const Union_boundary_3::Side& side) {
       if (halvings_[side.arc] < most_halvings) most = std::max(most, sagitta(side.arc));
     });
+    if (most < negligible * tolerance_) return false;
     for_each_side(patch, [&](const Union_boundary_3::Side& side) {
-      if (halvings_[side.arc] < most_halvings && sagitta(side.arc) >= comparable * most && most > 0)
-        is_halved[side.arc] = 1;
+      if (halvings_[side.arc] < most_halvings && sagitta(side.arc) >= comparable * most) is_halved[side.arc] = 1;
     });
-    return most > 0;
+    return true;
   }
 
   template <class Body>
@@ -155,7 +157,7 @@ class Surface_builder {
     const int number = boundary_.patch_balls[patch];
     result.ball = boundary_.dual->regular->balls[number];
     // Around it, the largest part of the sphere is in one other ball.
-    double deepest = 2;
+    result.cosine = 2;
     for (int l = boundary_.patch_offsets[patch]; l < boundary_.patch_offsets[patch + 1]; ++l) {
       result.loops.emplace_back();
       for (const auto& side : boundary_.loop(l)) {
@@ -168,8 +170,8 @@ class Surface_builder {
         const Point_3 toward = balls[arc.balls[0] == number ? arc.balls[1] : arc.balls[0]].center - result.ball.center;
         const double apart = std::sqrt(dot(toward, toward));
         const double height = dot(arc.center - result.ball.center, toward) / (apart * result.ball.radius);
-        if (height < deepest) {
-          deepest = height;
+        if (height < result.cosine) {
+          result.cosine = height;
           result.pole = (1 / apart) * toward;
         }
       }

@@ -61,6 +61,17 @@ testing::AssertionResult is_near(const std::vector<Ball_3>& balls, double tolera
   return testing::AssertionSuccess();
 }
 
+/// No triangle is deeper in the union than the tolerance.
+testing::AssertionResult is_outside(const Union_surface_3& surface, const std::vector<Ball_3>& balls,
+                                    double tolerance) {
+  for (const auto& [a, b, c] : surface.mesh.triangles) {
+    const auto& p = surface.mesh.vertices;
+    const double d = distance_to_union(balls, (1.0 / 3) * (p[a] + p[b] + p[c]));
+    if (d < -tolerance) return testing::AssertionFailure() << "a triangle is " << -d << " inside of the union";
+  }
+  return testing::AssertionSuccess();
+}
+
 TEST(Union_surface_3, HasTheTopologyOfDifficultSets) {
   for (const auto& [name, balls, betti] : difficult_ball_sets()) {
     for (const double tolerance : {2.0, 0.2}) {
@@ -159,6 +170,7 @@ TEST(Union_surface_3, GoesAroundManyBalls) {
     EXPECT_TRUE(has_right_topology(balls, 0.002)) << neighbors;
     const Union_surface_3 surface = surface_of(balls, 0.002);
     EXPECT_LE(surface.deviation, 0.002 * 1.000001) << neighbors;
+    EXPECT_TRUE(is_outside(surface, balls, 0.002)) << neighbors;
     EXPECT_EQ(surface.folded_patches, 0u) << neighbors;
   }
 }
@@ -169,6 +181,7 @@ TEST(Union_surface_3, GoesAroundTheBallsOfSolids) {
     const Union_surface_3 surface = surface_of(balls, 0.01);
     EXPECT_TRUE(has_right_topology(balls, 0.01)) << solid.name;
     EXPECT_EQ(surface.folded_patches, 0u) << solid.name;
+    EXPECT_TRUE(is_outside(surface, balls, 0.01)) << solid.name;
     const Topology found = topology(surface.mesh);
     EXPECT_EQ(found.betti[0], solid.betti[0] + solid.betti[2]) << solid.name;
     EXPECT_EQ(found.betti[1], 2 * solid.betti[1]) << solid.name;
@@ -177,8 +190,11 @@ TEST(Union_surface_3, GoesAroundTheBallsOfSolids) {
 }
 
 TEST(Union_surface_3, IsClosedWhereSpheresNearlyMeetInSamples) {
-  for (const auto& solid : smooth_solids())
-    EXPECT_TRUE(has_right_topology(inner_voronoi_balls(solid, 600, 0, 3), 0.01)) << solid.name;
+  for (const auto& solid : smooth_solids()) {
+    const auto balls = inner_voronoi_balls(solid, 600, 0, 3);
+    EXPECT_TRUE(has_right_topology(balls, 0.01)) << solid.name;
+    EXPECT_TRUE(is_outside(surface_of(balls, 0.01), balls, 0.01)) << solid.name;
+  }
 }
 
 TEST(Union_surface_3, DependsNeitherOnTheThreadsNorOnTheRun) {
