@@ -10,6 +10,7 @@
 #include "geometries/primitives_3.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
+#include "geometries/surface_3/skin_surface_3.h"
 #include "geometries/union_3/module.h"
 
 namespace mesecina {
@@ -17,6 +18,7 @@ namespace mesecina {
 namespace {
 
 constexpr Setting<double> tolerance_setting{"surface-tolerance"};
+constexpr Setting<double> shrink_setting{"skin-shrink-factor"};
 
 double diagonal_of(const std::vector<Ball_3>& balls) {
   Box box;
@@ -83,6 +85,20 @@ void register_surface_3(Registry& registry) {
     setting.tags = {"surface", "density"};
     registry.add_setting(std::move(setting));
   }
+  {
+    Setting_spec setting;
+    setting.id = shrink_setting.id;
+    setting.label = "Skin shrink factor";
+    setting.help =
+        "How much of the spheres the skin surface keeps: near 1 it is the boundary of the union with narrow blends, "
+        "near 0 it is wide and smooth.";
+    setting.unit = "factor";
+    setting.default_value = 0.5;
+    setting.minimum = 0.05;
+    setting.maximum = 0.95;
+    setting.tags = {"surface"};
+    registry.add_setting(std::move(setting));
+  }
   registry.add_structure<Union_surface_3>(union_surface_3_key, [](Context& context) {
     return compute_surface(context, context.get(dual_3_key), "union-surface");
   });
@@ -107,6 +123,19 @@ void register_surface_3(Registry& registry) {
                    const auto balls = context.get(scale_axis_dual_3_key)->regular;
                    return surface_layer(*context.get(scale_axis_surface_3_key), balls->balls);
                  }));
+  registry.add_layer(make_layer(
+      "skin-surface", "Skin surface", "Union of balls",
+      "A smooth surface around the balls, of patches of spheres and hyperboloids; made of at most 2000 balls. [H. "
+      "Edelsbrunner: Deformable smooth surface design, 1999]",
+      {200, 150, 150}, [](Context& context) {
+        Triangle_mesh_3 mesh =
+            skin_surface(*context.get(balls_3_key), context.setting(shrink_setting), context.progress());
+        Primitive_set set = primitives_in_space();
+        set.vertices = std::move(mesh.vertices);
+        set.triangles = std::move(mesh.triangles);
+        set.is_complex = true;
+        return set;
+      }));
 }
 
 }  // namespace mesecina

@@ -301,7 +301,7 @@ std::vector<int> joined_loops(const Sphere_patch_3& patch, std::vector<Point_3>&
       }
     }
     auto& loop = rest[best[1]];
-    std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(best[2]));
+    std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(best[2]), loop.end());
     loop.push_back(loop.front());
     loop.push_back(ring[best[0]]);
     ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(best[0]) + 1, loop.begin(), loop.end());

@@ -273,9 +273,10 @@ class Boundary_builder {
           is_done[use] = 1;
           result_.sides.push_back(uses[use].side);
           if (uses[use].from < 0) break;
-          const auto group = std::ranges::subrange(uses.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                   uses.begin() + static_cast<std::ptrdiff_t>(end));
-          use = static_cast<std::size_t>(std::ranges::lower_bound(group, uses[use].to, {}, &Use::from) - uses.begin());
+          const auto next = std::lower_bound(uses.begin() + static_cast<std::ptrdiff_t>(begin),
+                                             uses.begin() + static_cast<std::ptrdiff_t>(end), uses[use].to,
+                                             [](const Use& other, int vertex) { return other.from < vertex; });
+          use = static_cast<std::size_t>(next - uses.begin());
         }
         result_.loop_offsets.push_back(static_cast<int>(result_.sides.size()));
       }
