@@ -132,6 +132,13 @@ TEST(Union_surface_3, SpheresMayMeetInTheSmallestCircles) {
   }
 }
 
+TEST(Union_surface_3, ASphereIsMoreThanTheBumpsOnIt) {
+  // The only loop around nearly all of the sphere is smaller than the tolerance.
+  const std::vector<Ball_3> balls{{{0, 0, 0}, 1}, {{1, 0, 0}, 0.01}, {{1, 0.012, 0}, 0.01}, {{1, 0.006, 0.01}, 0.01}};
+  EXPECT_TRUE(has_right_topology(balls, 0.03));
+  EXPECT_NEAR(signed_volume(surface_of(balls, 0.03).mesh), 4 * std::numbers::pi / 3, 0.3);
+}
+
 TEST(Union_surface_3, IsOrientedOutward) {
   constexpr double of_unit_ball = 4 * std::numbers::pi / 3;
   EXPECT_NEAR(signed_volume(surface_of({{{5, 5, 5}, 1}}, 1e-3).mesh), of_unit_ball, 0.02);
