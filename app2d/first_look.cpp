@@ -44,7 +44,7 @@ Layer_list first_look(const Registry& registry, const Inputs& inputs) {
   return has_only_disks ? look_of_disks(registry) : look_of_samples(registry);
 }
 
-Layer_list look_at(const Registry& registry, const Inputs& inputs, Layer_list layers) {
+Layer_list look_at(const Registry& registry, const Inputs& inputs, const Layer_list& layers) {
   const bool is_first_look = layers == look_of_samples(registry) || layers == look_of_disks(registry);
   return is_first_look ? first_look(registry, inputs) : layers;
 }

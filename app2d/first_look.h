@@ -13,6 +13,6 @@ Layer_list first_look(const Registry& registry, const Inputs& inputs);
 
 /// What to show of `inputs` to somebody who sees `layers`: a first look if they are one, which means that the user has
 /// chosen nothing yet; else the same layers.
-Layer_list look_at(const Registry& registry, const Inputs& inputs, Layer_list layers);
+Layer_list look_at(const Registry& registry, const Inputs& inputs, const Layer_list& layers);
 
 }  // namespace mesecina

@@ -59,8 +59,8 @@ Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats f
     : registry_(std::move(registry)),
       formats_(std::make_shared<const Formats>(std::move(formats))),
       document_(first_state(*registry_, startup),
-                [known = registry_](const Inputs& inputs, Layer_list layers) {
-                  return look_at(*known, inputs, std::move(layers));
+                [known = registry_](const Inputs& inputs, const Layer_list& layers) {
+                  return look_at(*known, inputs, layers);
                 }),
       computation_(registry_, document_) {
   load_icons();
