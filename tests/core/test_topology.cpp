@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <ctime>
 #include <map>
 #include <random>
 #include <set>
@@ -310,7 +310,7 @@ TEST(Topology_in_space, OfFoamsWhoseEdgesAllHaveManyFaces) {
 
 TEST(Topology_in_space, OfAHundredThousandFacesIsQuick) {
   const Primitive_set walls = foam(35);
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = std::clock();
   EXPECT_EQ(topology(walls)->betti, (std::array<std::int64_t, 3>{1, 0, 35 * 35 * 35}));
   // Spheres around one common edge.
   Primitive_set book = complex_in_space();
@@ -320,8 +320,7 @@ TEST(Topology_in_space, OfAHundredThousandFacesIsQuick) {
     book.triangles.insert(book.triangles.end(), {{0, 1, u}, {0, 1, v}, {0, u, v}, {1, u, v}});
   }
   EXPECT_EQ(topology(with_vertices(book))->betti, (std::array<std::int64_t, 3>{1, 0, 50'000}));
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20))
-      << "an optimized build takes about 0.1 s";
+  EXPECT_LT(std::clock() - begin, 20 * CLOCKS_PER_SEC) << "an optimized build takes about 0.1 s";
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <random>
 
 #include "tests/formats/temporary_folder.h"
@@ -211,10 +211,9 @@ TEST_F(Meshes, AMillionTrianglesOfOffAreReadQuickly) {
     }
   }
   const auto file = folder_.write("a.off", text);
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = std::clock();
   const auto mesh = read_file(spatial_formats(), file).inputs.get(mesh_input);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5))
-      << "an optimized build takes about 0.15 s";
+  EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC) << "an optimized build takes about 0.15 s";
   EXPECT_EQ(mesh->triangles.size(), 2u * (side - 1) * (side - 1));
 }
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <ctime>
 #include <random>
 #include <string>
 
@@ -242,7 +242,7 @@ void expect_contents_or_errors(const Formats& formats, const std::vector<Sample>
     for (int round = 0; round < 1000; ++round) {
       const std::string text = mutator.mutated(sample.text);
       SCOPED_TRACE(testing::Message() << sample.name << " " << round << ":\n" << text);
-      const auto begin = std::chrono::steady_clock::now();
+      const auto begin = std::clock();
       try {
         const File_contents contents = folder.read(sample.name, text);
         EXPECT_FALSE(contents.inputs.is_empty());
@@ -257,7 +257,7 @@ void expect_contents_or_errors(const Formats& formats, const std::vector<Sample>
         EXPECT_LT(message.size(), 400u) << message;
         ++refused;
       }
-      EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+      EXPECT_LT(std::clock() - begin, 2 * CLOCKS_PER_SEC);
       if (testing::Test::HasFailure()) return;
     }
     EXPECT_GT(read, 20u) << sample.name;

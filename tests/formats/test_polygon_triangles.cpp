@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -151,15 +151,14 @@ TEST(Polygon_triangles, TheLargestNonconvexPolygonTakesNotLong) {
     comb.push_back({static_cast<double>(i), i % 2 == 0 ? 0 : 1000.0, 0});
   comb.push_back({1e4, 2e3, 0});
   comb.push_back({0, 2e3, 0});
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = std::clock();
   expect_partition(mesh_of(comb));
   // And one that crosses itself everywhere.
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (Point_3& p : comb) p = {uniform(random), uniform(random), 0};
   EXPECT_EQ(mesh_of(comb).triangles.size(), comb.size() - 2);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10))
-      << "an optimized build takes about 0.5 s";
+  EXPECT_LT(std::clock() - begin, 20 * CLOCKS_PER_SEC) << "an optimized build takes about 0.5 s";
 }
 
 }  // namespace

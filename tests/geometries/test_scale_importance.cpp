@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 #include "geometries/medial_axis_2/medial_axis_2.h"
 #include "geometries/scale_importance/scale_importance.h"
 #include "tests/geometries/shapes.h"
+#include "tests/growth.h"
 
 namespace mesecina::test {
 namespace {
@@ -269,12 +269,8 @@ TEST(Update_scale_importance, when_the_largest_goes_or_comes) {
   EXPECT_EQ(update_scale_importance(after, more, all.centers, all.radii, {}, progress).values, compute(all).values);
 }
 
-/// Of this process: what others do on the machine does not count.
-double seconds_for(const Disks& disks) {
-  const std::clock_t start = std::clock();
-  const std::vector<double> result = importance(disks);
-  EXPECT_EQ(result.size(), disks.radii.size());
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+double growth_for(const Disks& small, const Disks& large, double enough) {
+  return growth([&] { importance(small); }, [&] { importance(large); }, enough);
 }
 
 TEST(Scale_importance, grows_nearly_linearly) {
@@ -283,13 +279,7 @@ TEST(Scale_importance, grows_nearly_linearly) {
   ASSERT_GT(small.radii.size(), 19000U);
   ASSERT_LT(small.radii.size(), 20001U);
   ASSERT_GT(large.radii.size(), 190000U);
-  double best = infinity;
-  for (int attempt = 0; attempt < 3 && best >= 12; ++attempt) {
-    // The shortest of a few runs, so that one pause of the machine does not count.
-    const double first = std::min({seconds_for(small), seconds_for(small), seconds_for(small)});
-    best = std::min(best, seconds_for(large) / first);
-  }
-  EXPECT_LT(best, 12);
+  EXPECT_LT(growth_for(small, large, 12), 15);
 }
 
 Disks equal_up_to_rounding(int count) {
@@ -306,11 +296,14 @@ TEST(Scale_importance, of_radii_that_differ_by_rounding) {
   expect_by_definition(equal_up_to_rounding(1000));
   const Disks large = equal_up_to_rounding(50000);
   ASSERT_NE(*std::ranges::min_element(large.radii), *std::ranges::max_element(large.radii));
-  Disks equal = large;
-  equal.radii.assign(equal.radii.size(), 1);
-  // Every disk against every other would take half a minute.
-  EXPECT_LT(seconds_for(large), 2);
-  EXPECT_LT(seconds_for(equal), 2);
+  const auto with_equal_radii = [](Disks disks) {
+    disks.radii.assign(disks.radii.size(), 1);
+    return disks;
+  };
+  // Every disk against every other would take 100 times as long.
+  const Disks small = equal_up_to_rounding(5000);
+  EXPECT_LT(growth_for(small, large, 15), 30);
+  EXPECT_LT(growth_for(with_equal_radii(small), with_equal_radii(large), 15), 30);
 }
 
 /// Every quotient raised to the bound of the header, within a billionth.
@@ -363,11 +356,14 @@ TEST(Scale_importance, is_raised_to_what_slopes_allow) {
 TEST(Scale_importance, of_samples_on_one_circle) {
   // All disks are the same but for rounding.
   Progress progress;
-  const auto [disks, slopes] = medial_balls_with_slopes(ellipse(1, 1, 100000));
-  ASSERT_GT(disks.radii.size(), 90000U);
-  const std::clock_t start = std::clock();
+  const auto [disks, slopes] = medial_balls_with_slopes(ellipse(1, 1, 300000));
+  const auto [fewer, slopes_of_fewer] = medial_balls_with_slopes(ellipse(1, 1, 30000));
+  ASSERT_GT(disks.radii.size(), 290000U);
+  ASSERT_GT(fewer.radii.size(), 29000U);
   const Scale_importance result = scale_importance(disks.centers, disks.radii, slopes, progress);
-  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);
+  EXPECT_LT(growth([&, &few = fewer, &s = slopes_of_fewer] { scale_importance(few.centers, few.radii, s, progress); },
+                   [&, &all = disks, &s = slopes] { scale_importance(all.centers, all.radii, s, progress); }, 15),
+            30);
   for (std::size_t i = 0; i < slopes.size(); ++i) ASSERT_GE(result.values[i], (1 - 1e-6) / (slopes[i] + 1e-6)) << i;
 }
 
