@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/disjoint_sets.h"
 #include "core/primitives.h"
 
 namespace mesecina {
@@ -275,16 +276,10 @@ class Cycle_counter {
 };
 
 std::int64_t count_components(const std::vector<bool>& used, std::span<const std::array<int, 2>> edges) {
-  std::vector<int> parent(used.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int vertex) {
-    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-    return vertex;
-  };
-  for (const auto& [from, to] : edges) parent[find(from)] = find(to);
-  std::int64_t count = 0;
-  for (std::size_t vertex = 0; vertex < used.size(); ++vertex)
-    if (used[vertex] && parent[vertex] == static_cast<int>(vertex)) ++count;
+  Disjoint_sets parts(used.size());
+  std::int64_t count = std::ranges::count(used, true);
+  for (const auto& [from, to] : edges)
+    if (parts.join(from, to)) --count;
   return count;
 }
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
+#include "core/disjoint_sets.h"
 #include "core/formats/number.h"
 #include "core/outcome.h"
 
@@ -45,24 +45,17 @@ namespace {
 
 /// Per triangle the least triangle with the same circle.
 std::vector<int> circle_classes(const Delaunay_2& triangulation, Progress& progress) {
-  std::vector<int> parent(triangulation.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  for (int t = 0; t < static_cast<int>(parent.size()); ++t) {
+  Disjoint_sets classes(triangulation.triangles.size());
+  std::vector<int> least(classes.size());
+  for (int t = 0; t < static_cast<int>(least.size()); ++t) {
     if (t % 8192 == 0) progress.check();
     for (int i = 0; i < 3; ++i) {
       const int u = triangulation.neighbors[t][i];
-      if (u < 0 || u > t || !have_one_circle(triangulation, t, i)) continue;
-      const int r = root(t);
-      const int s = root(u);
-      parent[std::max(r, s)] = std::min(r, s);
+      if (u >= 0 && u <= t && have_one_circle(triangulation, t, i)) classes.join(t, u);
     }
   }
-  for (int t = 0; t < static_cast<int>(parent.size()); ++t) parent[t] = root(t);
-  return parent;
+  for (int t = 0; t < static_cast<int>(least.size()); ++t) least[t] = classes.find(t);
+  return least;
 }
 
 /// Sorts triangles by their Voronoi vertices. Comparing asks whether to stop: the sort has no other place for it.

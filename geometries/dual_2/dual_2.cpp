@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/dual_2/dual_2.h"
 
-#include <numeric>
-
+#include "core/disjoint_sets.h"
 #include "geometries/regular_2/power_predicates.h"
 
 namespace mesecina {
@@ -124,22 +123,12 @@ Dual_2 dual_complex(std::shared_ptr<const Regular_2> regular, double alpha, Prog
 
 Topology topology(const Dual_2& dual) {
   const auto& vertices = dual.vertices;
-  std::vector<int> parent(vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  Disjoint_sets parts(vertices.size());
   Topology result;
   for (const Dual_kind kind : vertices) result.euler += kind != Dual_kind::outside ? 1 : 0;
   result.betti[0] = result.euler;
-  for (const Dual_edge& edge : dual.edges) {
-    const int a = root(edge.a);
-    const int b = root(edge.b);
-    if (a == b) continue;
-    parent[a] = b;
-    --result.betti[0];
-  }
+  for (const Dual_edge& edge : dual.edges)
+    if (parts.join(edge.a, edge.b)) --result.betti[0];
   result.euler -= static_cast<std::int64_t>(dual.edges.size());
   for (const std::uint8_t has : dual.has_triangle) result.euler += has;
   result.betti[1] = result.betti[0] - result.euler;

@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <numeric>
 
+#include "core/disjoint_sets.h"
 #include "core/outcome.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 #include "geometries/samples_3/samples_3.h"
+#include "geometries/scatter.h"
 
 namespace mesecina {
 
@@ -70,13 +72,8 @@ Voronoi_vertices voronoi_vertices(const std::vector<Point_3>& samples) {
 /// Voronoi vertices that are on the same side of the surface for certain: no surface comes nearer to a vertex than its
 /// radius less the covering radius.
 std::vector<int> sides_in_common(const Voronoi_vertices& voronoi, double covering_radius) {
-  std::vector<int> parent(voronoi.samples.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (std::size_t c = 0; c < parent.size(); ++c) {
+  Disjoint_sets sides(voronoi.samples.size());
+  for (std::size_t c = 0; c < sides.size(); ++c) {
     const double free = voronoi.radii[c] - covering_radius;
     if (!(free > 0)) continue;
     for (const int next : voronoi.neighbors[c]) {
@@ -84,21 +81,12 @@ std::vector<int> sides_in_common(const Voronoi_vertices& voronoi, double coverin
       const double reach = free + voronoi.radii[next] - covering_radius;
       // Of vertices that are far away coordinates have few digits.
       constexpr double certain = 1 - 1e-9;
-      if (distance(voronoi.centers[c], voronoi.centers[next]) < certain * reach)
-        parent[find(static_cast<int>(c))] = find(next);
+      if (distance(voronoi.centers[c], voronoi.centers[next]) < certain * reach) sides.join(static_cast<int>(c), next);
     }
   }
-  for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = find(static_cast<int>(c));
-  return parent;
-}
-
-/// In [-1,1), from the bits of a counter (splitmix64).
-double scatter(std::uint64_t counter) {
-  std::uint64_t z = (counter + 1) * 0x9E3779B97F4A7C15U;
-  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-  z ^= z >> 31U;
-  return static_cast<double>(z >> 11U) * 0x1.0p-52 - 1;
+  std::vector<int> side_of_vertex(sides.size());
+  for (std::size_t c = 0; c < side_of_vertex.size(); ++c) side_of_vertex[c] = sides.find(static_cast<int>(c));
+  return side_of_vertex;
 }
 
 }  // namespace
@@ -163,7 +151,7 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Solid_3&
     if (is_pole[c] == 0) continue;
     const double r = voronoi.radii[c];
     const std::uint64_t number = 3 * balls.size();
-    const Point_3 shift{scatter(number), scatter(number + 1), scatter(number + 2)};
+    const Point_3 shift{scattered(number), scattered(number + 1), scattered(number + 2)};
     balls.push_back({voronoi.centers[c] + (perturbation * r) * shift, r});
   }
   if (balls.empty())

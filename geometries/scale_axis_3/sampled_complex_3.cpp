@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numbers>
 #include <unordered_map>
+#include <utility>
 
 #include "core/outcome.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
@@ -29,24 +30,9 @@ class Sampler {
         open_faces_.push_back(static_cast<int>(f));
       }
     }
-    std::vector<std::array<int, 2>> of_faces;
-    std::vector<std::uint8_t> is_used(complex.centers.size(), 0);
-    for (std::size_t f = 0; f < complex.face_count(); ++f) {
-      const auto corners = complex.face(f);
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const int a = corners[i];
-        const int b = corners[(i + 1) % corners.size()];
-        of_faces.push_back({std::min(a, b), std::max(a, b)});
-        is_used[a] = 1;
-      }
-    }
-    std::ranges::sort(of_faces);
-    for (const auto& edge : complex.edges) {
-      if (!std::ranges::binary_search(of_faces, edge)) open_edges_.push_back(edge);
-      is_used[edge[0]] = is_used[edge[1]] = 1;
-    }
-    for (std::size_t v = 0; v < is_used.size(); ++v)
-      if (is_used[v] == 0) result_.points.push_back(static_cast<int>(v));
+    Loose_parts_3 loose = loose_parts(complex);
+    open_edges_ = std::move(loose.edges);
+    result_.points = std::move(loose.vertices);
   }
 
   Ball_complex_3 run(Progress& progress) {

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
+
+#include "core/disjoint_sets.h"
 
 namespace mesecina {
 
@@ -67,11 +68,6 @@ bool has_duplicates(const Triangle_mesh_3& mesh, const Mesh_edges_3& edges) {
   return false;
 }
 
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 void remove_duplicates(Clean_mesh_3& result) {
   Triangle_mesh_3& mesh = result.mesh;
   std::map<std::array<int, 3>, int> first;  // by sorted corners
@@ -93,24 +89,23 @@ void remove_duplicates(Clean_mesh_3& result) {
   result.edges = find_edges(mesh);
 
   const Mesh_edges_3& edges = result.edges;
-  std::vector<int> parent(mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  Disjoint_sets patches(mesh.triangles.size());
   const int half_edges = static_cast<int>(edges.twin.size());
   for (int h = 0; h < half_edges; ++h)
     if (edges.twin[h] > h && was_repeated[h / 3] && was_repeated[edges.twin[h] / 3])
-      parent[find_root(parent, edges.twin[h] / 3)] = find_root(parent, h / 3);
+      patches.join(edges.twin[h] / 3, h / 3);
   // Where a patch ends at least one other triangle is; without the patch their number must be even.
   std::vector<std::uint8_t> has_end(mesh.triangles.size(), 0);
   std::vector<std::uint8_t> is_needed(mesh.triangles.size(), 0);
   for (int h = 0; h < half_edges; ++h) {
     if (edges.twin[h] < 0 || !was_repeated[h / 3] || was_repeated[edges.twin[h] / 3]) continue;
-    is_needed[find_root(parent, h / 3)] = 1;
+    is_needed[patches.find(h / 3)] = 1;
   }
   for (const std::vector<int>& edge : edges.irregular) {
     const auto others = std::ranges::count_if(edge, [&](int h) { return was_repeated[h / 3] == 0; });
     for (const int h : edge) {
       if (!was_repeated[h / 3]) continue;
-      const int patch = find_root(parent, h / 3);
+      const int patch = patches.find(h / 3);
       if (others > 0 && others % 2 == 0) {
         has_end[patch] = 1;
       } else {
@@ -120,7 +115,7 @@ void remove_duplicates(Clean_mesh_3& result) {
   }
   kept.clear();
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const int patch = find_root(parent, t);
+    const int patch = patches.find(t);
     if (was_repeated[t] && has_end[patch] && !is_needed[patch]) {
       ++result.duplicate_triangles;
     } else {

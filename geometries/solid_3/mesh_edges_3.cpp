@@ -5,16 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
+
 namespace mesecina {
 
-namespace {
-
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool Mesh_edges_3::is_open() const {
   return std::ranges::any_of(irregular, [](const std::vector<int>& edge) { return edge.size() % 2 == 1; });
@@ -95,17 +90,14 @@ Mesh_components_3 orient_components(const Triangle_mesh_3& mesh, const Mesh_edge
   }
 
   const int patches = static_cast<int>(patch_agrees.size());
-  std::vector<int> parent(patches);
-  std::iota(parent.begin(), parent.end(), 0);
+  Disjoint_sets joined(patches);
   for (const std::vector<int>& edge : edges.irregular)
-    for (const int h : edge)
-      parent[std::max(find_root(parent, patch[h / 3]), find_root(parent, patch[edge[0] / 3]))] =
-          std::min(find_root(parent, patch[h / 3]), find_root(parent, patch[edge[0] / 3]));
+    for (const int h : edge) joined.join(patch[h / 3], patch[edge[0] / 3]);
 
   Mesh_components_3 result;
   std::vector<int> number(patches, -1);
   for (int p = 0; p < patches; ++p) {
-    const int root = find_root(parent, p);
+    const int root = joined.find(p);
     if (root == p) number[p] = result.count++;
     number[p] = number[root];
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "core/outcome.h"
 #include "geometries/parallel.h"
 #include "geometries/solid_3/clean_mesh_3.h"
@@ -126,17 +126,10 @@ std::vector<double> signed_volumes(const Work& work) {
 /// False where that takes too long or nothing is inside.
 bool resolve_crossings(Work& work, Progress& progress) {
   const int count = work.parts.count;
-  std::vector<int> parent(count);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
+  Disjoint_sets groups(count);
   std::vector<std::uint8_t> is_tangled(count, 0);
   for (const auto& [s, t] : work.crossings) {
-    const int a = root(work.parts.component[s]);
-    const int b = root(work.parts.component[t]);
-    parent[std::max(a, b)] = std::min(a, b);
+    groups.join(work.parts.component[s], work.parts.component[t]);
     is_tangled[work.parts.component[s]] = is_tangled[work.parts.component[t]] = 1;
   }
   for (const std::vector<int>& edge : work.edges.irregular) is_tangled[work.parts.component[edge[0] / 3]] = 1;
@@ -148,7 +141,7 @@ bool resolve_crossings(Work& work, Progress& progress) {
   int disoriented = 0;
   for (int c = 0; c < count; ++c) {
     if (!is_tangled[c]) continue;
-    Inside_rule& rule = clusters.rule[root(c)];
+    Inside_rule& rule = clusters.rule[groups.find(c)];
     if (!work.parts.is_oriented[c]) {
       rule = Inside_rule::odd;
       ++disoriented;
@@ -163,7 +156,7 @@ bool resolve_crossings(Work& work, Progress& progress) {
   clusters.cluster.reserve(work.mesh.triangles.size());
   for (std::size_t t = 0; t < work.mesh.triangles.size(); ++t) {
     const int c = work.parts.component[t];
-    clusters.cluster.push_back(root(c));
+    clusters.cluster.push_back(groups.find(c));
     if (turned > 0 && is_tangled[c] && work.parts.is_oriented[c] && volumes[c] < 0) turn(work.mesh.triangles[t]);
   }
   if (turned > 0) work.locator = std::make_shared<Surface_locator_3>(work.mesh, progress);

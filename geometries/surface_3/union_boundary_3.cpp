@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "geometries/parallel.h"
 #include "geometries/union_3/union_3.h"
 
@@ -101,15 +101,15 @@ class Boundary_builder {
 
   /// Corners of one ball that hang together around it, across what is not in the complex, are on one patch.
   void join_corners() {
-    parent_.resize(4 * regular_.cells.size());
-    std::iota(parent_.begin(), parent_.end(), 0);
+    patches_ = Disjoint_sets(4 * regular_.cells.size());
     for (int cell = 0; cell < static_cast<int>(regular_.cells.size()); ++cell) {
       if (dual_.has_cell[cell]) continue;
       for (int across = 0; across < 4; ++across) {
         const int next = regular_.neighbors[cell][across];
         if (is_wall_[cell][across] || next < cell) continue;
         for (int i = 0; i < 4; ++i)
-          if (i != across && regular_.cells[cell][i] >= 0) join(corner(cell, i), corner(next, place_of(next, cell, i)));
+          if (i != across && regular_.cells[cell][i] >= 0)
+            patches_.join(corner(cell, i), corner(next, place_of(next, cell, i)));
       }
     }
   }
@@ -118,11 +118,6 @@ class Boundary_builder {
     const auto& corners = regular_.cells[next];
     return static_cast<int>(std::ranges::find(corners, regular_.cells[cell][i]) - corners.begin());
   }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[find(i)] = find(j); }
 
   /// The wedge in the next cell around the edge.
   Wedge next(const Wedge& wedge) const {
@@ -255,8 +250,8 @@ class Boundary_builder {
       const auto& arc = result_.arcs[a];
       const Wedge& start = arc_starts_[a];
       const int index = static_cast<int>(a);
-      uses.push_back({find(corner(start.cell, start.first)), arc.to, arc.from, {index, false}});
-      uses.push_back({find(corner(start.cell, start.second)), arc.from, arc.to, {index, true}});
+      uses.push_back({patches_.find(corner(start.cell, start.first)), arc.to, arc.from, {index, false}});
+      uses.push_back({patches_.find(corner(start.cell, start.second)), arc.from, arc.to, {index, true}});
     }
     const auto key = [](const Use& use) { return std::tuple(use.patch, use.from, use.side.arc); };
     std::ranges::sort(uses, {}, key);
@@ -298,7 +293,7 @@ class Boundary_builder {
   std::vector<std::array<bool, 4>> is_wall_;  ///< per cell and place: the triangle across is in the complex
   std::vector<std::array<int, 4>> vertex_;    ///< and the vertex on this side of it, or -1
   std::vector<int> vertex_places_;            ///< per vertex the corner across from its triangle
-  std::vector<int> parent_;                   ///< per corner
+  Disjoint_sets patches_{0};                  ///< of corners
   std::vector<Wedge> arc_starts_;
 };
 

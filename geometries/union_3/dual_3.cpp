@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "geometries/parallel.h"
 #include "geometries/union_3/regular_3.h"
 
@@ -244,19 +245,6 @@ class Dual_builder {
   Dual_3 result_;
 };
 
-class Components {
- public:
-  explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<int> parent_;
-};
-
 }  // namespace
 
 Dual_3 dual_complex(std::shared_ptr<const Regular_3> regular, Progress& progress) {
@@ -266,7 +254,7 @@ Dual_3 dual_complex(std::shared_ptr<const Regular_3> regular, Progress& progress
 Topology topology(const Dual_3& dual) {
   const Regular_3& regular = *dual.regular;
   Topology result;
-  Components parts(regular.balls.size());
+  Disjoint_sets parts(regular.balls.size());
   for (const Dual_3::Edge& edge : dual.edges) parts.join(edge.balls[0], edge.balls[1]);
   std::int64_t vertices = 0;
   for (std::size_t v = 0; v < dual.vertices.size(); ++v) {
@@ -276,7 +264,7 @@ Topology topology(const Dual_3& dual) {
   }
   // Cavities are the parts of the complement, which cells and triangles that are not in the complex join.
   const std::size_t count = regular.cells.size();
-  Components rest(count + 1);
+  Disjoint_sets rest(count + 1);
   const int outer = static_cast<int>(count);
   std::vector<std::array<bool, 4>> is_wall(count);
   for (const Dual_3::Triangle& triangle : dual.triangles) {

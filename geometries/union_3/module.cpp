@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/graph.h"
 #include "geometries/primitives_3.h"
@@ -121,24 +122,9 @@ Primitive_set medial_primitives(const Medial_complex_3& complex) {
   set.is_complex = true;
   set.polygon_offsets = complex.face_offsets;
   set.polygon_vertices = complex.face_vertices;
-  std::vector<std::array<int, 2>> sides;
-  std::vector<std::uint8_t> is_used(complex.centers.size(), 0);
-  sides.reserve(complex.face_vertices.size());
-  for (std::size_t f = 0; f < complex.face_count(); ++f) {
-    const auto corners = complex.face(f);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const int a = corners[i];
-      const int b = corners[(i + 1) % corners.size()];
-      sides.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
-  std::ranges::sort(sides);
-  for (const auto& edge : complex.edges) {
-    if (!std::ranges::binary_search(sides, edge)) set.segments.push_back(edge);
-    is_used[edge[0]] = is_used[edge[1]] = 1;
-  }
-  for (std::size_t v = 0; v < is_used.size(); ++v)
-    if (is_used[v] == 0) set.points.push_back(static_cast<int>(v));
+  Loose_parts_3 loose = loose_parts(complex);
+  set.segments = std::move(loose.edges);
+  set.points = std::move(loose.vertices);
   // Edges and vertices without faces are singular: spheres meet there in circles, or touch nothing.
   const std::size_t others = set.points.size() + set.segments.size();
   const auto with_others = [&](const std::vector<double>& of_faces) {

@@ -2,10 +2,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "core/disjoint_sets.h"
+#include "geometries/scatter.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -16,20 +17,10 @@ namespace {
 using Connectivity = std::array<std::int64_t, 2>;
 
 Connectivity connectivity(const Medial_complex_3& axis) {
-  std::vector<int> parent(axis.centers.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  auto components = static_cast<std::int64_t>(parent.size());
-  for (const auto& edge : axis.edges) {
-    const int a = root(edge[0]);
-    const int b = root(edge[1]);
-    if (a == b) continue;
-    parent[b] = a;
-    --components;
-  }
+  Disjoint_sets parts(axis.centers.size());
+  auto components = static_cast<std::int64_t>(parts.size());
+  for (const auto& [from, to] : axis.edges)
+    if (parts.join(from, to)) --components;
   return {components, static_cast<std::int64_t>(axis.centers.size() + axis.face_count()) -
                           static_cast<std::int64_t>(axis.edges.size())};
 }
@@ -40,15 +31,6 @@ bool has_face_with_a_vertex_twice(const Medial_complex_3& axis) {
     for (const int v : axis.face(f))
       if (std::exchange(last_face[v], static_cast<int>(f)) == static_cast<int>(f)) return true;
   return false;
-}
-
-/// In [-1, 1), by nothing but the number: on every machine the same.
-double scattered(std::uint64_t number) {
-  number += 0x9e3779b97f4a7c15U;
-  number = (number ^ (number >> 30U)) * 0xbf58476d1ce4e5b9U;
-  number = (number ^ (number >> 27U)) * 0x94d049bb133111ebU;
-  number ^= number >> 31U;
-  return static_cast<double>(number >> 11U) * 0x1p-52 - 1;
 }
 
 }  // namespace

@@ -48,6 +48,14 @@ struct Medial_complex_3 {
   }
 };
 
+/// What is in a complex besides its faces and what bounds them.
+struct Loose_parts_3 {
+  std::vector<std::array<int, 2>> edges;  ///< that no face has
+  std::vector<int> vertices;              ///< that no edge has
+};
+/// O(n log n).
+Loose_parts_3 loose_parts(const Medial_complex_3& complex);
+
 /// The singular faces of the dual complex, and of the Voronoi diagram of V(U) all cells that lie in the rest of it as a
 /// whole ("complete faces"). It has the homotopy type of the union. A Voronoi vertex at the center of a ball, where all
 /// its V(U) points lie on one sphere, is that by construction. Where more than three spheres meet in nearly one point,

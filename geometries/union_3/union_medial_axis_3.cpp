@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -274,6 +276,27 @@ Point_3 nearest_on_face(const Medial_complex_3& axis, std::size_t face, const Po
 Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& progress) {
   Vertex_voronoi_3 voronoi = vertex_voronoi(vertices, progress);
   return Axis_builder(vertices, std::move(voronoi), progress).build();
+}
+
+Loose_parts_3 loose_parts(const Medial_complex_3& complex) {
+  std::vector<std::array<int, 2>> sides;
+  sides.reserve(complex.face_vertices.size());
+  for (std::size_t f = 0; f < complex.face_count(); ++f) {
+    const auto corners = complex.face(f);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const int a = corners[i];
+      const int b = corners[(i + 1) % corners.size()];
+      sides.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  sort_edges(sides, complex.centers.size());
+  Loose_parts_3 parts;
+  std::ranges::set_difference(complex.edges, sides, std::back_inserter(parts.edges));
+  std::vector<std::uint8_t> has_edge(complex.centers.size(), 0);
+  for (const auto& edge : complex.edges) has_edge[edge[0]] = has_edge[edge[1]] = 1;
+  for (std::size_t v = 0; v < has_edge.size(); ++v)
+    if (has_edge[v] == 0) parts.vertices.push_back(static_cast<int>(v));
+  return parts;
 }
 
 std::vector<double> lambda_of_faces(const Medial_complex_3& axis) {
