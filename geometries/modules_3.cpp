@@ -5,6 +5,7 @@
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
 #include "geometries/surface_3/module.h"
+#include "geometries/surface_error_3/module.h"
 #include "geometries/union_3/module.h"
 
 namespace mesecina {
@@ -17,6 +18,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_union_3(*registry);
   register_scale_axis_3(*registry);
   register_surface_3(*registry);
+  register_surface_error_3(*registry);
   return registry;
 }
 

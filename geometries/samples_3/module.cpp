@@ -4,6 +4,7 @@
 #include "core/formats/number.h"
 #include "core/graph.h"
 #include "geometries/primitives_3.h"
+#include "geometries/surface_error_3/module.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -42,6 +43,13 @@ std::vector<Ball_3> compute_balls(Context& context) {
   const auto solid = context.get(solid_3_key);
   return inner_poles(*context.get(surface_samples_3_key), *solid, context.setting(perturbation_setting),
                      context.progress());
+}
+
+/// Who looks at the balls of a mesh wants to know how well they stand for it.
+Primitive_set ball_layer(Context& context) {
+  Primitive_set set = ball_primitives(*context.get(balls_3_key));
+  if (!context.input(balls_input)) context.get(surface_error_3_key);
+  return set;
 }
 
 void add_settings(Registry& registry) {
@@ -130,11 +138,12 @@ void register_samples_3(Registry& registry) {
   registry.add_layer(make_layer(
       "samples", "Samples", stage, "Points of the surface, evenly spaced: every point of it has one within delta.",
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
-  registry.add_layer(make_layer(
-      "balls", "Balls", stage,
-      "The balls whose union is looked at: given ones, else the inner poles of the samples. [N. Amenta, S. Choi, R. "
-      "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
-      {60, 110, 170}, [](Context& context) { return ball_primitives(*context.get(balls_3_key)); }));
+  registry.add_layer(make_layer("balls", "Balls", stage,
+                                "The balls whose union is looked at: given ones, else the inner poles of the samples; "
+                                "then statistics tell how far "
+                                "their union is from the mesh. [N. Amenta, S. Choi, R. "
+                                "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
+                                {60, 110, 170}, ball_layer));
 }
 
 }  // namespace mesecina

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "geometries/solid_3/surface_error_3.h"
+#include "geometries/surface_error_3/surface_error_3.h"
 #include "tests/geometries/solid_3/meshes_3.h"
 #include "tests/geometries/solid_3/solid_oracle_3.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometries/solid_3/union_distance_3.h"
+#include "geometries/surface_error_3/union_distance_3.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometries/solid_3/surface_error_3.h"
+#include "geometries/surface_error_3/surface_error_3.h"
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "geometries/parallel.h"
 #include "geometries/solid_3/surface_locator_3.h"
-#include "geometries/solid_3/union_distance_3.h"
+#include "geometries/surface_error_3/union_distance_3.h"
 
 namespace mesecina {
 
