@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/modules_3.h"
 
+#include "geometries/delaunay_3/module.h"
 #include "geometries/inputs_3/module.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
@@ -15,6 +16,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   auto registry = std::make_shared<Registry>(dimension);
   register_inputs_3(*registry);
   register_samples_3(*registry);
+  register_delaunay_3(*registry);
   register_union_3(*registry);
   register_scale_axis_3(*registry);
   register_surface_3(*registry);

@@ -3,6 +3,7 @@
 
 #include "core/formats/number.h"
 #include "core/graph.h"
+#include "geometries/delaunay_3/module.h"
 #include "geometries/primitives_3.h"
 #include "geometries/surface_error_3/module.h"
 #include "geometries/union_3/union_3.h"
@@ -41,8 +42,8 @@ std::vector<Ball_3> compute_balls(Context& context) {
   if (!context.input(mesh_input) && context.input(cloud_input))
     throw Unavailable("there are points but no mesh and no balls: balls from points alone are not there yet");
   const auto solid = context.get(solid_3_key);
-  return inner_poles(*context.get(surface_samples_3_key), *solid, context.setting(perturbation_setting),
-                     context.progress());
+  return inner_poles(*context.get(surface_samples_3_key), *context.get(delaunay_3_key), *solid,
+                     context.setting(perturbation_setting), context.progress());
 }
 
 /// Who looks at the balls of a mesh wants to know how well they stand for it.

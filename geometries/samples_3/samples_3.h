@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometries/delaunay_3/delaunay_3.h"
 #include "geometries/solid_3/solid_3.h"
 
 namespace mesecina {
@@ -18,12 +19,12 @@ struct Surface_samples_3 {
 /// than `most_samples`.
 Surface_samples_3 sample_surface(const Triangle_mesh_3& surface, double distance, Progress& progress);
 
-/// The inner poles of samples: per sample the farthest inner vertex of its Voronoi cell, each pole once. As balls, they
-/// approximate the solid. Centers are moved by up to `perturbation` times the radius, by a rule that depends on nothing
-/// but their order, and radii keep the nearest sample on the sphere: many of these balls go through one sample, which
-/// is degenerate. O(n log n). [N. Amenta, S. Choi, R. Kolluri: The power crust, unions of balls, and the medial axis
-/// transform, 2001]
-std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Solid_3& solid, double perturbation,
-                                Progress& progress);
+/// The inner poles of samples, of which `delaunay` is the triangulation: per sample the farthest inner vertex of its
+/// Voronoi cell, each pole once. As balls, they approximate the solid. Centers are moved by up to `perturbation` times
+/// the radius, by a rule that depends on nothing but their order, and radii keep the nearest sample on the sphere: many
+/// of these balls go through one sample, which is degenerate. O(n log n). Throws Unavailable when there are none. [N.
+/// Amenta, S. Choi, R. Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]
+std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Delaunay_3& delaunay, const Solid_3& solid,
+                                double perturbation, Progress& progress);
 
 }  // namespace mesecina

@@ -89,7 +89,7 @@ TEST(Inner_poles_3, OfASphereLieAtItsCenter) {
   Progress progress;
   const auto solid = make_solid(std::make_shared<Triangle_mesh_3>(sphere(4)), Repair::automatic, progress);
   const Surface_samples_3 samples = sample_surface(solid.surface, 0.2, progress);
-  const std::vector<Ball_3> balls = inner_poles(samples, solid, 1e-4, progress);
+  const std::vector<Ball_3> balls = inner_poles(samples, delaunay(samples.points, progress), solid, 1e-4, progress);
   ASSERT_FALSE(balls.empty());
   for (const Ball_3& ball : balls) {
     EXPECT_LT(std::sqrt(dot(ball.center, ball.center)), 0.05);
@@ -101,7 +101,7 @@ TEST(Inner_poles_3, AreEmptyBallsInsideTheCube) {
   Progress progress;
   const auto solid = make_solid(std::make_shared<Triangle_mesh_3>(cube()), Repair::automatic, progress);
   const Surface_samples_3 samples = sample_surface(solid.surface, 0.1, progress);
-  const std::vector<Ball_3> balls = inner_poles(samples, solid, 0, progress);
+  const std::vector<Ball_3> balls = inner_poles(samples, delaunay(samples.points, progress), solid, 0, progress);
   ASSERT_GT(balls.size(), 100u);
   double largest = 0;
   for (const Ball_3& ball : balls) {

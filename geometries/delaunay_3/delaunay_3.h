@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/point.h"
+#include "core/progress.h"
+
+namespace mesecina {
+
+/// Delaunay triangulation of points in space, as arrays, with its Voronoi vertices. Sites are the distinct points; of
+/// equal points the one with the least index is the site.
+struct Delaunay_3 {
+  std::vector<Point_3> points;  ///< as given, equal ones included
+  std::vector<int> site;        ///< per point: index of the point that is its site (itself unless a duplicate)
+  std::size_t site_count = 0;
+  std::vector<std::array<int, 4>> cells;      ///< tetrahedra, as sites, with positive orientation
+  std::vector<std::array<int, 4>> neighbors;  ///< per cell the cell across from each corner; -1: outside of the hull
+  std::vector<Point_3> circumcenters;         ///< per cell its Voronoi vertex, rounded
+  std::vector<double> circumradii;
+};
+
+/// Triangulates by exact predicates. The cells depend only on the points, also where more than four lie on one sphere;
+/// there several cells have the same Voronoi vertex, each with its own rounding. Coordinates must be finite. O(n log n)
+/// for points of a surface, about 600 bytes per point. Throws Cancelled, and Unavailable where there is no tetrahedron:
+/// fewer than four sites, or all in one plane.
+Delaunay_3 delaunay(std::vector<Point_3> points, Progress& progress);
+
+}  // namespace mesecina
