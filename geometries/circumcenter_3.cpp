@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesecina {
 
@@ -25,27 +26,45 @@ Point_3 exact_circumcenter(const std::array<Point_3, 4>& p) {
           CGAL::to_double(CGAL::exact(center.z()))};
 }
 
+/// Seen from there the digits that are lost where two points nearly meet are those of their short difference only.
+int end_of_shortest_edge(const std::array<Point_3, 4>& points) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      const double square = squared_distance(points[i], points[j]);
+      if (square < least) {
+        least = square;
+        best = i;
+      }
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Point_3 circumcenter(const std::array<Point_3, 4>& points) {
-  const Vector a = difference(points[1], points[0]);
-  const Vector b = difference(points[2], points[0]);
-  const Vector c = difference(points[3], points[0]);
+  const int o = end_of_shortest_edge(points);
+  const Point_3& origin = points[o];
+  const Vector a = difference(points[(o + 1) % 4], origin);
+  const Vector b = difference(points[(o + 2) % 4], origin);
+  const Vector c = difference(points[(o + 3) % 4], origin);
   const auto minor = [](const Vector& u, const Vector& v, int k) {
     return u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
   };
   const auto square = [](const Vector& u) { return u[0] * u[0] + u[1] * u[1] + u[2] * u[2]; };
   const double determinant = a[0] * minor(b, c, 0) + a[1] * minor(b, c, 1) + a[2] * minor(b, c, 2);
-  // Rounding moves the determinant by less than 1e-15 of the product of its columns; what is ten thousand times as
-  // large gives a center to four digits of the radius and more.
-  constexpr double safe = 1e-11;
+  // Rounding moves the determinant by less than 1e-15 of the product of its columns; what is 10^9 times as large gives
+  // a center to nine digits of the radius and more.
+  constexpr double safe = 1e-6;
   if (!(std::abs(determinant) > safe * largest_coordinate(a) * largest_coordinate(b) * largest_coordinate(c)))
     return exact_circumcenter(points);
-  const auto coordinate = [&](int k, double origin) {
+  const auto coordinate = [&](int k, double from) {
     const double sum = square(a) * minor(b, c, k) + square(b) * minor(c, a, k) + square(c) * minor(a, b, k);
-    return origin + sum / (2 * determinant);
+    return from + sum / (2 * determinant);
   };
-  return {coordinate(0, points[0].x), coordinate(1, points[0].y), coordinate(2, points[0].z)};
+  return {coordinate(0, origin.x), coordinate(1, origin.y), coordinate(2, origin.z)};
 }
 
 }  // namespace mesecina
