@@ -3,6 +3,7 @@
 
 #include "geometries/delaunay_3/module.h"
 #include "geometries/inputs_3/module.h"
+#include "geometries/power_crust_3/module.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
 #include "geometries/surface_3/module.h"
@@ -17,6 +18,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_inputs_3(*registry);
   register_samples_3(*registry);
   register_delaunay_3(*registry);
+  register_power_crust_3(*registry);
   register_union_3(*registry);
   register_scale_axis_3(*registry);
   register_surface_3(*registry);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/point.h"
@@ -27,5 +28,25 @@ struct Delaunay_3 {
 /// for points of a surface, about 600 bytes per point. Throws Cancelled, and Unavailable where there is no tetrahedron:
 /// fewer than four sites, or all in one plane.
 Delaunay_3 delaunay(std::vector<Point_3> points, Progress& progress);
+
+/// Per cell the least cell that has the same sphere, decided exactly: cells with one sphere are one Voronoi vertex.
+/// O(n).
+std::vector<int> cells_by_sphere(const Delaunay_3& triangulation, Progress& progress);
+
+/// The bounded faces of the Voronoi diagram: convex polygons.
+struct Voronoi_faces_3 {
+  std::vector<std::array<int, 2>> sites;  ///< per face the two sites that are nearest to it
+  std::vector<int> offsets;               ///< size() + 1 offsets into `vertices`
+  /// Of each face in order, as cells, counterclockwise when one looks from the second site to the first; of cells with
+  /// one sphere the least.
+  std::vector<int> vertices;
+
+  std::size_t size() const { return sites.size(); }
+  std::span<const int> face(std::size_t i) const {
+    return std::span(vertices).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+};
+/// Each face once, by its least cell. Faces without area, of Delaunay edges inside of one sphere, are none. O(n).
+Voronoi_faces_3 bounded_voronoi_faces(const Delaunay_3& triangulation, Progress& progress);
 
 }  // namespace mesecina

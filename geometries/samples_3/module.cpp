@@ -4,6 +4,7 @@
 #include "core/formats/number.h"
 #include "core/graph.h"
 #include "geometries/delaunay_3/module.h"
+#include "geometries/power_crust_3/module.h"
 #include "geometries/primitives_3.h"
 #include "geometries/surface_error_3/module.h"
 #include "geometries/union_3/union_3.h"
@@ -39,8 +40,8 @@ std::vector<Ball_3> compute_balls(Context& context) {
     const double part = context.setting(given_perturbation_setting);
     return part > 0 ? perturbed(*given, part) : *given;
   }
-  if (!context.input(mesh_input) && context.input(cloud_input))
-    throw Unavailable("there are points but no mesh and no balls: balls from points alone are not there yet");
+  if (const auto cloud = context.input(cloud_input); !context.input(mesh_input) && cloud && !cloud->empty())
+    return inner_polar_balls(*context.get(polar_balls_3_key), context.setting(perturbation_setting));
   const auto solid = context.get(solid_3_key);
   return inner_poles(*context.get(surface_samples_3_key), *context.get(delaunay_3_key), *solid,
                      context.setting(perturbation_setting), context.progress());
@@ -49,7 +50,7 @@ std::vector<Ball_3> compute_balls(Context& context) {
 /// Who looks at the balls of a mesh wants to know how well they stand for it.
 Primitive_set ball_layer(Context& context) {
   Primitive_set set = ball_primitives(*context.get(balls_3_key));
-  if (!context.input(balls_input)) context.get(surface_error_3_key);
+  if (!context.input(balls_input) && context.input(mesh_input)) context.get(surface_error_3_key);
   return set;
 }
 
@@ -87,7 +88,8 @@ void add_settings(Registry& registry) {
     setting.id = perturbation_setting.id;
     setting.label = "Perturbation of poles";
     setting.help =
-        "The centers of balls that come from a mesh are moved by up to this part of their radius, always in the same "
+        "The centers of balls that come from a mesh or from points are moved by up to this part of their radius, "
+        "always in the same "
         "way. "
         "Many of them go through one sample, where rounding would decide on how their union is connected. [B. Miklos: "
         "The Scale Axis Transform, 2010, section 6.1.3]";
@@ -139,12 +141,13 @@ void register_samples_3(Registry& registry) {
   registry.add_layer(make_layer(
       "samples", "Samples", stage, "Points of the surface, evenly spaced: every point of it has one within delta.",
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
-  registry.add_layer(make_layer("balls", "Balls", stage,
-                                "The balls whose union is looked at: given ones, else the inner poles of the samples; "
-                                "then statistics tell how far "
-                                "their union is from the mesh. [N. Amenta, S. Choi, R. "
-                                "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
-                                {60, 110, 170}, ball_layer));
+  registry.add_layer(
+      make_layer("balls", "Balls", stage,
+                 "The balls whose union is looked at: given ones, else the inner poles of the samples, or "
+                 "of points that were read. Of a mesh, statistics tell how far "
+                 "their union is from it. [N. Amenta, S. Choi, R. "
+                 "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
+                 {60, 110, 170}, ball_layer));
 }
 
 }  // namespace mesecina

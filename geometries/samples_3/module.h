@@ -8,7 +8,7 @@ namespace mesecina {
 
 inline constexpr Key<Solid_3> solid_3_key{"solid-3"};
 inline constexpr Key<Surface_samples_3> surface_samples_3_key{"surface-samples-3"};
-/// The balls whose union is looked at: given ones, else the inner poles of the mesh.
+/// The balls whose union is looked at: given ones, else the inner poles of the mesh, else of the points.
 inline constexpr Key<std::vector<Ball_3>> balls_3_key{"balls-3"};
 
 inline constexpr Setting<std::string> repair_setting{"repair"};

@@ -46,6 +46,12 @@ std::vector<Ball_3> balls_of_all_kinds() {
 
 const std::set<std::string> promised_layers = {"mesh",
                                                "samples",
+                                               "delaunay",
+                                               "voronoi",
+                                               "inner-poles",
+                                               "outer-poles",
+                                               "power-crust",
+                                               "power-shape",
                                                "balls",
                                                "regular-triangulation",
                                                "dual-faces",
@@ -106,7 +112,13 @@ TEST(Registry_3, EveryLayerIsComputedOfAMesh) {
 }
 
 TEST(Registry_3, EveryLayerIsComputedOfBalls) {
-  expect_layers(Inputs().with(balls_input, balls_of_all_kinds()), {"mesh", "points", "solid", "samples"});
+  expect_layers(Inputs().with(balls_input, balls_of_all_kinds()),
+                {"mesh", "points", "solid", "samples", "delaunay", "voronoi", "inner-poles", "outer-poles",
+                 "power-crust", "power-shape"});
+}
+
+TEST(Registry_3, EveryLayerIsComputedOfPoints) {
+  expect_layers(Inputs().with(cloud_input, torus().vertices), {"mesh", "given-balls", "solid", "samples"});
 }
 
 TEST(Registry_3, EveryLayerHasAReasonWhereThereIsNothing) {

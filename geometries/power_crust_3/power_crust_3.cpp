@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/power_crust_3/power_crust_3.h"
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/disjoint_sets.h"
+#include "geometries/edge_ring_3.h"
+#include "geometries/parallel.h"
+
+namespace mesecina {
+
+namespace {
+
+using Interval = CGAL::Interval_nt<false>;
+using Rational = CGAL::Exact_rational;
+
+template <class Number>
+using Coordinates = std::array<Number, 3>;
+
+/// From the center of the first ball to the point of equal power distance to all four.
+template <class Number>
+Coordinates<Number> offset_of_power_center(const std::array<Ball_3, 4>& balls) {
+  const Point_3& origin = balls[0].center;
+  const auto weight = [](const Ball_3& ball) { return Number(ball.radius * ball.radius); };
+  std::array<Coordinates<Number>, 3> to{};
+  Coordinates<Number> power{};
+  for (int i = 0; i < 3; ++i) {
+    const Point_3& c = balls[i + 1].center;
+    to[i] = {Number(c.x) - Number(origin.x), Number(c.y) - Number(origin.y), Number(c.z) - Number(origin.z)};
+    power[i] =
+        to[i][0] * to[i][0] + to[i][1] * to[i][1] + to[i][2] * to[i][2] + weight(balls[0]) - weight(balls[i + 1]);
+  }
+  const auto minor = [&to](int i, int j, int k) -> Number {
+    return to[i][(k + 1) % 3] * to[j][(k + 2) % 3] - to[i][(k + 2) % 3] * to[j][(k + 1) % 3];
+  };
+  const Number twice_volume = 2 * (to[0][0] * minor(1, 2, 0) + to[0][1] * minor(1, 2, 1) + to[0][2] * minor(1, 2, 2));
+  Coordinates<Number> result{};
+  for (int k = 0; k < 3; ++k)
+    result[k] = (power[0] * minor(1, 2, k) + power[1] * minor(2, 0, k) + power[2] * minor(0, 1, k)) / twice_volume;
+  return result;
+}
+
+/// Wants upward rounding.
+Point_3 rounded_power_center(const std::array<Ball_3, 4>& balls, double error) {
+  const auto rough = offset_of_power_center<Interval>(balls);
+  const auto is_sure = [error](const Interval& x) { return x.sup() - x.inf() <= error; };
+  if (std::ranges::all_of(rough, is_sure)) {
+    const auto middle = [](const Interval& x) { return (x.inf() + x.sup()) / 2; };
+    return balls[0].center + Point_3{middle(rough[0]), middle(rough[1]), middle(rough[2])};
+  }
+  const auto sure = offset_of_power_center<Rational>(balls);
+  const Point_3& c = balls[0].center;
+  return {CGAL::to_double(Rational(c.x) + sure[0]), CGAL::to_double(Rational(c.y) + sure[1]),
+          CGAL::to_double(Rational(c.z) + sure[2])};
+}
+
+/// The first sample that lies on the spheres of all these poles; -1 for none.
+int shared_sample(const Poles_3& poles, std::array<int, 4> four) {
+  std::ranges::sort(four, {}, [&](int pole) { return poles.contacts_of(pole).size(); });
+  for (const int point : poles.contacts_of(four[0])) {
+    if (point >= static_cast<int>(poles.sample_count)) break;
+    const auto has_it = [&](int pole) { return std::ranges::binary_search(poles.contacts_of(pole), point); };
+    if (has_it(four[1]) && has_it(four[2]) && has_it(four[3])) return point;
+  }
+  return -1;
+}
+
+class Crust_builder {
+ public:
+  Crust_builder(const Polar_balls_3& polar, Progress& progress)
+      : polar_(polar), poles_(*polar.poles), regular_(*polar.regular), progress_(progress) {}
+
+  Power_crust_3 build() {
+    progress_.begin_stage("power crust");
+    find_rings();
+    find_positions();
+    number_vertices();
+    add_faces();
+    return std::move(result_);
+  }
+
+ private:
+  bool is_inner(int pole) const { return pole >= 0 && polar_.is_inner[pole] != 0; }
+  std::size_t ring_count() const { return ring_poles_.size(); }
+  std::span<const int> ring(std::size_t i) const {
+    return std::span(ring_cells_).subspan(ring_offsets_[i], ring_offsets_[i + 1] - ring_offsets_[i]);
+  }
+
+  /// The cells around each edge between an inner and an outer pole. Around none of these is an infinite cell, for only
+  /// infinite poles are on the hull.
+  void find_rings() {
+    ring_offsets_.push_back(0);
+    const auto add_ring = [&](int cell, int inner_place, int outer_place) {
+      const std::size_t begin = ring_cells_.size();
+      const bool is_whole =
+          walk_around_edge(regular_.cells, regular_.neighbors, cell, inner_place, outer_place, [&](int current) {
+            if (current < cell || regular_.is_infinite(current)) return false;
+            ring_cells_.push_back(current);
+            return true;
+          });
+      if (!is_whole) {
+        ring_cells_.resize(begin);
+        return;
+      }
+      ring_offsets_.push_back(static_cast<int>(ring_cells_.size()));
+      ring_poles_.push_back({regular_.cells[cell][inner_place], regular_.cells[cell][outer_place]});
+    };
+    for (int c = 0; c < static_cast<int>(regular_.cells.size()); ++c) {
+      constexpr int often = 4096;
+      if (c % often == 0) progress_.check();
+      if (regular_.is_infinite(c)) continue;
+      const auto& corners = regular_.cells[c];
+      for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4 && is_inner(corners[i]); ++j)
+          if (!is_inner(corners[j])) add_ring(c, i, j);
+    }
+  }
+
+  void find_positions() {
+    Box box;
+    for (std::size_t s = 0; s < poles_.sample_count; ++s) box.add(poles_.points[s]);
+    constexpr double allowed_error = 1e-9;
+    const double error = allowed_error * box.diagonal();
+    const std::size_t count = regular_.cells.size();
+    std::vector<std::uint8_t> is_used(count, 0);
+    for (const int cell : ring_cells_) is_used[cell] = 1;
+    samples_.assign(count, -1);
+    centers_.resize(count);
+    parallel_for(count, progress_, [&](std::size_t c) {
+      if (is_used[c] == 0) return;
+      samples_[c] = shared_sample(poles_, regular_.cells[c]);
+      if (samples_[c] >= 0) {
+        centers_[c] = poles_.points[samples_[c]];
+        return;
+      }
+      std::array<Ball_3, 4> balls{};
+      for (int i = 0; i < 4; ++i) balls[i] = regular_.balls[regular_.cells[c][i]];
+      std::ranges::stable_sort(balls, {}, &Ball_3::radius);
+      const CGAL::Protect_FPU_rounding<true> upward_rounding;
+      centers_[c] = rounded_power_center(balls, error);
+    });
+  }
+
+  /// What edges of the surface join, at one sample, becomes one vertex: if that is a disk, and faces have it in one
+  /// piece. Otherwise the surface would be pinched there.
+  void number_vertices() {
+    const std::size_t count = regular_.cells.size();
+    Disjoint_sets places(count);
+    for_each_step([&](int cell, int next) {
+      if (samples_[cell] >= 0 && samples_[cell] == samples_[next]) places.join(cell, next);
+    });
+    std::vector<int> place_of_cell(count);
+    for (std::size_t c = 0; c < count; ++c) place_of_cell[c] = places.find(static_cast<int>(c));
+
+    std::vector<int> twice_euler(count, 0);
+    std::vector<std::uint8_t> is_seen(count, 0);
+    for (const int cell : ring_cells_) {
+      if (is_seen[cell] == 0) twice_euler[place_of_cell[cell]] += 2;
+      is_seen[cell] = 1;
+    }
+    for_each_step([&](int cell, int next) {
+      if (place_of_cell[cell] == place_of_cell[next]) --twice_euler[place_of_cell[cell]];
+    });
+    std::vector<std::uint8_t> is_torn(count, 0);
+    std::vector<int> entered;
+    for (std::size_t r = 0; r < ring_count(); ++r) {
+      entered.clear();
+      int previous = place_of_cell[ring(r).back()];
+      for (const int cell : ring(r)) {
+        const int place = place_of_cell[cell];
+        if (place != previous) {
+          if (std::ranges::find(entered, place) != entered.end()) is_torn[place] = 1;
+          entered.push_back(place);
+        }
+        previous = place;
+      }
+      if (entered.empty()) twice_euler[previous] += 2;
+    }
+
+    vertex_of_cell_.assign(count, -1);
+    for (const int cell : ring_cells_) {
+      if (vertex_of_cell_[cell] >= 0) continue;
+      const int place = place_of_cell[cell];
+      const int first = twice_euler[place] == 2 && is_torn[place] == 0 ? place : cell;
+      if (vertex_of_cell_[first] < 0) {
+        vertex_of_cell_[first] = static_cast<int>(result_.vertices.size());
+        result_.vertices.push_back(centers_[first]);
+        result_.samples.push_back(samples_[first]);
+      }
+      vertex_of_cell_[cell] = vertex_of_cell_[first];
+    }
+  }
+
+  /// Calls function(cell, next) for the sides of all rings; each edge of the surface is twice among them.
+  template <class Function>
+  void for_each_step(const Function& function) const {
+    for (std::size_t r = 0; r < ring_count(); ++r) {
+      int previous = ring(r).back();
+      for (const int cell : ring(r)) function(std::exchange(previous, cell), cell);
+    }
+  }
+
+  void add_faces() {
+    result_.face_offsets.push_back(0);
+    std::vector<int> corners;
+    for (std::size_t r = 0; r < ring_count(); ++r) {
+      corners.clear();
+      for (const int cell : ring(r))
+        if (corners.empty() || corners.back() != vertex_of_cell_[cell]) corners.push_back(vertex_of_cell_[cell]);
+      while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+      constexpr std::size_t least = 3;
+      if (corners.size() < least) continue;
+      result_.face_vertices.insert(result_.face_vertices.end(), corners.begin(), corners.end());
+      result_.face_offsets.push_back(static_cast<int>(result_.face_vertices.size()));
+      result_.poles.push_back(ring_poles_[r]);
+    }
+  }
+
+  const Polar_balls_3& polar_;
+  const Poles_3& poles_;
+  const Regular_3& regular_;
+  Progress& progress_;
+  std::vector<std::array<int, 2>> ring_poles_;  ///< per ring the inner and the outer one
+  std::vector<int> ring_offsets_;
+  std::vector<int> ring_cells_;
+  std::vector<int> samples_;      ///< per cell of a ring the sample that it is; -1 for none
+  std::vector<Point_3> centers_;  ///< per cell of a ring its power center
+  std::vector<int> vertex_of_cell_;
+  Power_crust_3 result_;
+};
+
+}  // namespace
+
+Power_crust_3 power_crust(const Polar_balls_3& polar, Progress& progress) {
+  return Crust_builder(polar, progress).build();
+}
+
+}  // namespace mesecina
