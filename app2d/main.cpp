@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -14,15 +16,15 @@ namespace {
 
 constexpr const char* program = "mesecina2d";
 
-int run_without_window(const mesecina::Command_line& command_line, std::shared_ptr<const mesecina::Registry> registry,
-                       const mesecina::Formats& formats) {
+int run_without_window(const mesecina::Command_line& command_line,
+                       const std::shared_ptr<const mesecina::Registry>& registry, const mesecina::Formats& formats) {
   const auto wants = [&](const char* format) {
     return std::ranges::find(command_line.formats, format) != command_line.formats.end();
   };
   // Only these two need fonts, and starting the application takes longer than most computations.
   std::optional<mesecina::Picture_application> application;
   if (wants("png") || wants("pdf")) application.emplace();
-  return mesecina::run_batch(command_line, program, std::move(registry), formats, std::cerr);
+  return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
 }
 
 int run(int argc, char** argv) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <iostream>
 
 #include "core/batch/batch.h"
@@ -18,7 +20,8 @@ int run(int argc, char** argv) {
     return exit->code;
   }
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
-  if (command_line.nogui) return mesecina::run_batch(command_line, program, registry, formats, std::cerr);
+  if (command_line.nogui)
+    return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
   std::cerr << program << ": there is no window yet; compute and write files with --nogui. Try --help.\n";
   return mesecina::exit_wrong_usage;
 }

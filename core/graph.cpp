@@ -256,7 +256,7 @@ void Graph::State::compute(Graph& graph, std::string_view id, Node& n) {
     n.reason = unavailable.what();
   } catch (const std::bad_alloc&) {
     n.value = nullptr;
-    n.reason = "not enough memory";
+    n.reason = out_of_memory_reason;
   } catch (const std::exception& error) {
     n.value = nullptr;
     n.reason = "internal error in '" + std::string(id) + "': " + error.what();

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace mesecina {
 
@@ -20,6 +21,9 @@ class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
 };
+
+/// The reason of what could not be computed for want of memory.
+inline constexpr std::string_view out_of_memory_reason = "not enough memory";
 
 /// An immutable structure, or the reason why there is none.
 template <class T>

@@ -8,17 +8,20 @@
 
 namespace mesecina {
 
-/// Computes the layers of every input and writes them, without a window. Returns the exit code.
+/// Computes the layers of every input and writes them, without a window. Returns the exit code. `is_terminal`: somebody
+/// looks at `errors` on a terminal, where progress is shown in one line.
 ///
 /// Files are DIR/<input stem>.<layer>.<extension>, pictures DIR/<input stem>.<extension>. Their bytes depend on the
 /// input and the settings only, not on --jobs and --threads. A failed input is reported with one line on `errors` and
-/// never stops the others; every file is complete or not there.
-int run_batch(const Command_line& command_line, const std::string& program, std::shared_ptr<const Registry> registry,
-              const Formats& formats, std::ostream& errors);
-
-/// The layers that a picture shows: those of the command line or, where it has none, those visible by default; each
-/// once, in the order that it asks for and with the looks that it gives them.
-Scene make_scene(const Registry& registry, const Command_line& command_line,
-                 const std::function<std::shared_ptr<const Primitive_set>(const std::string&)>& primitives);
+/// never stops the others. The files of an input appear together, when all are complete. An input that needs more
+/// memory than there is beside others is tried again at the end, alone; so are, with --resume, those that an earlier
+/// run was computing when it was killed or crashed.
+///
+/// SIGINT or SIGTERM stops the run: inputs that are not complete leave nothing, and --resume goes on. Statistics and
+/// summary have what is complete. A computation that does not stop within a second is left behind, and the process
+/// ended from here.
+int run_batch(const Command_line& command_line, const std::string& program,
+              const std::shared_ptr<const Registry>& registry, const Formats& formats, std::ostream& errors,
+              bool is_terminal);
 
 }  // namespace mesecina

@@ -154,7 +154,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   CLI::App app(
       "Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their filtrations.\n"
       "With files, opens them in a window; with --nogui, computes and writes without one.\n"
-      "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage.",
+      "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage, 130 stopped by "
+      "SIGINT or SIGTERM (--resume goes on).",
       program);
   app.set_version_flag("--version", program + " " MESECINA_VERSION);
   std::vector<std::string> files;
@@ -185,7 +186,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--view", view, "View of pictures: a view file, or 'fit'")->capture_default_str();
   app.add_option("--stats", stats,
                  "Write one JSON object per input and line: counts, seconds per stage, memory, warnings. Without a "
-                 "file: DIRECTORY OF --output/stats.jsonl")
+                 "file: DIRECTORY OF --output/stats.jsonl. And a table, summary.csv, in that directory")
       ->expected(0, 1);
   app.add_option("--jobs", result.jobs, "Inputs computed at the same time")
       ->check(CLI::Range(1, 1024))

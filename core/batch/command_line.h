@@ -21,6 +21,7 @@ enum class Log_level { error, warning, info };
 inline constexpr int exit_success = 0;
 inline constexpr int exit_some_failed = 1;
 inline constexpr int exit_wrong_usage = 2;
+inline constexpr int exit_interrupted = 130;  ///< by SIGINT or SIGTERM
 
 struct Command_line {
   bool nogui = false;

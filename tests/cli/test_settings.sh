@@ -34,6 +34,8 @@ if locale -a | grep -qix 'de_DE\.utf-\?8'; then
   unset LC_ALL
   succeed --nogui "$giraffe" --layers scale-medial-axis,one-step-crust --output point --set scale-limit=1.05 \
     --formats json,svg,csv,obj,ply
+  grep -qE '^[^,]*,done,,[0-9.e-]+,' comma/summary.csv || fail "expected a decimal point in the summary"
+  rm -r comma/summary.csv {comma,point}/.mesecina
   expect_same comma point
   expect_json comma.jsonl '.[0].seconds.total >= 0'
 else

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/input_runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/batch/scene.h"
+
+namespace mesecina {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
+  std::map<std::string, std::uint64_t> counts;
+  if (const auto points = inputs.get(points_input)) counts["points"] = points->size();
+  if (const auto disks = inputs.get(disks_input)) counts["disks"] = disks->size();
+  if (const auto outline = inputs.get(outline_input)) {
+    counts["rings"] = outline->rings.size();
+    std::uint64_t vertices = 0;
+    for (const Ring_2& ring : outline->rings) vertices += ring.size();
+    counts["outline-vertices"] = vertices;
+  }
+  if (const auto image = inputs.get(image_input))
+    counts["pixels"] = static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
+  if (const auto mesh = inputs.get(mesh_input)) {
+    counts["mesh-vertices"] = mesh->vertices.size();
+    counts["triangles"] = mesh->triangles.size();
+  }
+  if (const auto balls = inputs.get(balls_input)) counts["balls"] = balls->size();
+  if (const auto cloud = inputs.get(cloud_input)) counts["points"] = cloud->size();
+  return counts;
+}
+
+std::map<std::string, Setting_value> all_settings(const Registry& registry, const Settings& settings) {
+  std::map<std::string, Setting_value> values;
+  for (const Setting_spec& spec : registry.settings()) values[spec.id] = registry.value(settings, spec.id);
+  return values;
+}
+
+std::string layer_suffix(const std::string& layer, const std::string& extension) {
+  return "." + layer + "." + extension;
+}
+std::string picture_suffix(const std::string& extension) { return "." + extension; }
+
+}  // namespace
+
+Input_runner::Input_runner(const Command_line& command_line, std::shared_ptr<const Registry> registry,
+                           const Formats& formats, Output_folder& folder)
+    : command_line_(command_line),
+      registry_(std::move(registry)),
+      formats_(formats),
+      folder_(folder),
+      layers_(shown_layers(*registry_, command_line)) {}
+
+/// What the results depend on, in one line: with the same text they need not be computed again.
+std::string Input_runner::fingerprint(const fs::path& file) const {
+  nlohmann::ordered_json json;
+  std::error_code error;
+  json["version"] = MESECINA_VERSION;
+  json["input"] = fs::weakly_canonical(file, error).string();
+  json["bytes"] = fs::file_size(file, error);
+  json["changed"] = fs::last_write_time(file, error).time_since_epoch().count();
+  json["layers"] = layers_;
+  json["formats"] = command_line_.formats;
+  json["size"] = {command_line_.width, command_line_.height};
+  if (command_line_.view)
+    json["view"] = {command_line_.view->center.x, command_line_.view->center.y, command_line_.view->scale};
+  for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
+    json["settings"][id] = to_text(value);
+  json["styles"] = command_line_.style_changes;
+  json["as-listed"] = command_line_.as_listed;
+  json["seed"] = command_line_.seed;
+  // The name of a file need not be UTF-8.
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::vector<std::string> Input_runner::result_names() const {
+  std::vector<std::string> names;
+  for (const std::string& format : command_line_.formats) {
+    if (const Layer_writer* writer = formats_.find_layer_writer(format)) {
+      for (const std::string& layer : layers_) names.push_back(layer_suffix(layer, writer->extension));
+    } else if (const Picture_writer* picture = formats_.find_picture_writer(format)) {
+      names.push_back(picture_suffix(picture->extension));
+    }
+  }
+  return names;
+}
+
+std::optional<std::string> Input_runner::find_complete(const fs::path& file) const {
+  std::optional<std::string> record = folder_.find_complete(file, fingerprint(file), result_names());
+  // A run without statistics leaves none.
+  if (record && command_line_.stats && !nlohmann::json::accept(*record)) return std::nullopt;
+  return record;
+}
+
+void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& progress, Input_statistics& statistics) {
+  const auto settings = all_settings(*registry_, command_line_.settings);
+  double write_seconds = 0;
+  const bool wants_pictures = std::ranges::any_of(
+      command_line_.formats, [&](const std::string& name) { return formats_.find_picture_writer(name) != nullptr; });
+  std::map<std::string, std::shared_ptr<const Primitive_set>> kept;
+  for (const std::string& id : layers_) {
+    const Outcome<Primitive_set> outcome = graph.layer(id, progress);
+    if (outcome.reason == out_of_memory_reason) throw std::bad_alloc();
+    std::shared_ptr<const Primitive_set> primitives = outcome.value;
+    const auto cut = registry_->cut(*registry_->find_layer(id), command_line_.settings);
+    if (primitives && cut) primitives = std::make_shared<const Primitive_set>(apply_cut(*primitives, *cut));
+    for (const std::string& warning : graph.warnings(id))
+      if (std::ranges::find(statistics.warnings, warning) == statistics.warnings.end())
+        statistics.warnings.push_back(warning);
+    if (!primitives && !command_line_.layers.empty())
+      statistics.warnings.push_back("layer " + id + ": " + outcome.reason);
+    if (primitives && wants_pictures) warn_of_missing_value(id, *primitives, statistics);
+    const auto start = Clock::now();
+    for (const std::string& name : command_line_.formats) {
+      const Layer_writer* writer = formats_.find_layer_writer(name);
+      if (!writer) continue;
+      const Layer_document document{
+          id, file.filename().string(), settings, primitives.get(), outcome.reason, registry_->dimension()};
+      write_file(folder_.unfinished(file, layer_suffix(id, writer->extension)),
+                 [&](std::ostream& stream) { writer->write(stream, document); });
+    }
+    write_seconds += seconds_since(start);
+    if (command_line_.stats) statistics.layers.emplace_back(id, layer_statistics(primitives.get(), outcome.reason));
+    if (wants_pictures) kept[id] = std::move(primitives);
+  }
+  const auto start = Clock::now();
+  write_pictures(file, make_scene(*registry_, command_line_, [&](const std::string& id) { return kept[id]; }),
+                 bounding_box(graph.inputs()));
+  statistics.seconds["write"] = write_seconds + seconds_since(start);
+}
+
+/// The names of values are known when a layer is there, not before.
+void Input_runner::warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
+                                         Input_statistics& statistics) const {
+  const auto style = command_line_.styles.find(layer);
+  if (style == command_line_.styles.end() || style->second.value.empty()) return;
+  std::string known;
+  for (const Values& values : primitives.values) {
+    if (values.name == style->second.value) return;
+    known += (known.empty() ? "; it has " : ", ") + values.name;
+  }
+  statistics.warnings.push_back("layer " + layer + ": no values '" + style->second.value + "' to color it by" + known);
+}
+
+void Input_runner::write_pictures(const fs::path& file, const Scene& scene, const Box& box) {
+  for (const std::string& name : command_line_.formats) {
+    const Picture_writer* writer = formats_.find_picture_writer(name);
+    if (!writer) continue;
+    const View_2 view =
+        command_line_.view ? *command_line_.view : fit_view(box, command_line_.width, command_line_.height);
+    // Picture formats share one application's fonts and need not be safe for several threads.
+    const std::lock_guard lock(picture_mutex_);
+    writer->write(folder_.unfinished(file, picture_suffix(writer->extension)), scene, view, command_line_.width,
+                  command_line_.height);
+  }
+}
+
+Input_statistics Input_runner::compute(const fs::path& file, int threads, std::stop_token stop) {
+  Input_statistics statistics;
+  statistics.input = file.string();
+  const auto start = Clock::now();
+  try {
+    const std::string fingerprint_before = fingerprint(file);
+    File_contents contents = read_file(formats_, file);
+    statistics.seconds["read"] = seconds_since(start);
+    statistics.warnings = std::move(contents.warnings);
+    statistics.counts = count_inputs(contents.inputs);
+    Graph graph(registry_);
+    graph.set_inputs(std::move(contents.inputs));
+    graph.set_settings(command_line_.settings);
+    Progress progress(std::move(stop), {}, threads);
+    folder_.begin(file);
+    write_layers(file, graph, progress, statistics);
+    for (const Graph::Stage& stage : graph.stages()) statistics.seconds[stage.id] += stage.seconds;
+    statistics.errors = graph.measures();
+    statistics.notes = graph.notes();
+    statistics.seconds["total"] = seconds_since(start);
+    std::string record = command_line_.stats ? to_json_line(statistics) : std::string();
+    if (record.ends_with('\n')) record.pop_back();
+    progress.check();
+    folder_.publish(file, fingerprint_before, record);
+  } catch (const std::bad_alloc&) {
+    folder_.discard(file);
+    throw;
+  } catch (const Cancelled&) {
+    folder_.discard(file);
+    throw;
+  } catch (const File_error& error) {
+    statistics.failed = true;
+    statistics.reason = error.what();
+  } catch (const std::exception& error) {
+    statistics.failed = true;
+    statistics.reason = file.string() + ": " + error.what();
+  }
+  if (statistics.failed) {
+    folder_.discard(file);
+    statistics.seconds["total"] = seconds_since(start);
+  }
+  return statistics;
+}
+
+}  // namespace mesecina

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "core/batch/command_line.h"
+#include "core/batch/output_folder.h"
+#include "core/batch/statistics.h"
+#include "core/graph.h"
+
+namespace mesecina {
+
+/// Computes what a command line asks for, one input at a time, and writes it. Safe to call from several threads, for
+/// different inputs.
+class Input_runner {
+ public:
+  Input_runner(const Command_line& command_line, std::shared_ptr<const Registry> registry, const Formats& formats,
+               Output_folder& folder);
+
+  /// The layers that are computed: those asked for, or those visible by default.
+  const std::vector<std::string>& layers() const { return layers_; }
+
+  /// The statistics of results that are complete and need not be computed again: one line, as of to_json_line.
+  std::optional<std::string> find_complete(const std::filesystem::path& file) const;
+
+  /// Computes and publishes all results of the file, or none. What is wrong with the file is told in what it returns.
+  /// Throws Cancelled, and std::bad_alloc where memory is short, also for a single layer.
+  Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop);
+
+ private:
+  void write_layers(const std::filesystem::path& file, Graph& graph, Progress& progress, Input_statistics& statistics);
+  void warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
+                             Input_statistics& statistics) const;
+  void write_pictures(const std::filesystem::path& file, const Scene& scene, const Box& box);
+  std::string fingerprint(const std::filesystem::path& file) const;
+  std::vector<std::string> result_names() const;
+
+  const Command_line& command_line_;
+  std::shared_ptr<const Registry> registry_;
+  const Formats& formats_;
+  Output_folder& folder_;
+  std::vector<std::string> layers_;
+  std::mutex picture_mutex_;
+};
+
+}  // namespace mesecina
