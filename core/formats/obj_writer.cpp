@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/arc_polyline.h"
 #include "core/formats/buffered_text.h"
+#include "core/formats/loose_elements.h"
 #include "core/formats/writers.h"
 
 namespace mesecina {
@@ -54,8 +55,9 @@ void write_obj_layer(std::ostream& stream, const Layer_document& document) {
   if (!document.primitives) return;
   const Primitive_set& set = *document.primitives;
   for (const Point_3& vertex : set.vertices) write_vertex(text, vertex);
-  for (const int vertex : set.points) text << "p " << vertex + 1 << "\n";
-  for (const auto& [from, to] : set.segments) text << "l " << from + 1 << " " << to + 1 << "\n";
+  const Loose_elements loose = loose_elements(set);
+  for (const int vertex : loose.points) text << "p " << vertex + 1 << "\n";
+  for (const auto& [from, to] : loose.segments) text << "l " << from + 1 << " " << to + 1 << "\n";
   if (!set.rays.empty()) text << "# " << set.rays.size() << " rays are left out\n";
   write_arcs(text, set);
   for (const auto& [p, q, r] : set.triangles) text << "f " << p + 1 << " " << q + 1 << " " << r + 1 << "\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/buffered_text.h"
+#include "core/formats/loose_elements.h"
 #include "core/formats/writers.h"
 
 namespace mesecina {
@@ -16,13 +17,14 @@ void write_vertices(Buffered_text& text, const std::vector<Point_3>& vertices) {
   for (const Point_3& p : vertices) text << p.x << " " << p.y << " " << p.z << "\n";
 }
 
-void write_comments(Buffered_text& text, const Layer_document& document, const Primitive_set& set) {
+void write_comments(Buffered_text& text, const Layer_document& document, const Primitive_set& set,
+                    std::size_t segment_count) {
   text << "# layer " << on_one_line(document.layer) << "\n";
   if (!document.input.empty()) text << "# input " << on_one_line(document.input) << "\n";
   if (!document.reason.empty()) text << "# empty: " << on_one_line(document.reason) << "\n";
   const std::size_t left_out = set.rays.size() + set.arcs.size();
   if (left_out != 0) text << "# " << left_out << " rays and arcs are left out\n";
-  if (!set.segments.empty()) text << "# " << set.segments.size() << " segments as faces of two vertices\n";
+  if (segment_count != 0) text << "# " << segment_count << " segments as faces of two vertices\n";
   if (!set.balls.empty() || !set.radii.empty()) text << "# radii are left out\n";
 }
 
@@ -31,12 +33,13 @@ void write_comments(Buffered_text& text, const Layer_document& document, const P
 void write_off_layer(std::ostream& stream, const Layer_document& document) {
   const Primitive_set none;
   const Primitive_set& set = document.primitives ? *document.primitives : none;
+  const auto segments = loose_elements(set).segments;
   Buffered_text text(stream);
   text << "OFF\n";
-  write_comments(text, document, set);
-  text << set.vertices.size() << " " << set.segments.size() + set.triangles.size() + set.polygon_count() << " 0\n";
+  write_comments(text, document, set, segments.size());
+  text << set.vertices.size() << " " << segments.size() + set.triangles.size() + set.polygon_count() << " 0\n";
   write_vertices(text, set.vertices);
-  for (const auto& segment : set.segments) write_face(text, segment);
+  for (const auto& segment : segments) write_face(text, segment);
   for (const auto& triangle : set.triangles) write_face(text, triangle);
   for (std::size_t i = 0; i < set.polygon_count(); ++i) write_face(text, set.polygon(i));
 }

@@ -27,6 +27,7 @@ struct Ply_mesh {
   std::vector<std::span<const int>> faces;
   std::vector<std::size_t> face_elements;
 
+  bool has_values_of_points() const { return !vertex_elements.empty(); }
   void add_edge(int from, int to, std::size_t element) {
     edges.push_back({from, to});
     edge_elements.push_back(element);
@@ -62,9 +63,19 @@ void add_arc(Ply_mesh& mesh, const Primitive_set& set, const Arc& arc, std::size
   mesh.add_edge(from, arc.to, element);
 }
 
+/// Per vertex the point that it is; empty unless each vertex is one, and of one point only.
+std::vector<std::size_t> points_of_vertices(const Primitive_set& set) {
+  std::vector<std::size_t> points(set.vertices.size(), set.points.size());
+  if (set.points.size() != points.size()) return {};
+  for (std::size_t i = 0; i < set.points.size(); ++i) points[set.points[i]] = i;
+  if (std::ranges::find(points, set.points.size()) != points.end()) return {};
+  return points;
+}
+
 Ply_mesh complex(const Primitive_set& set) {
   Ply_mesh mesh;
   mesh.vertices = set.vertices;
+  if (set.arcs.empty()) mesh.vertex_elements = points_of_vertices(set);
   std::size_t element = set.points.size();
   for (const auto& [from, to] : set.segments) mesh.add_edge(from, to, element++);
   element += set.rays.size();
@@ -182,7 +193,7 @@ class Ply_writer {
   bool has_long_faces_ = false;
 };
 
-std::vector<std::string> comments_on(const Layer_document& document, const Primitive_set& set) {
+std::vector<std::string> comments_on(const Layer_document& document, const Primitive_set& set, const Ply_mesh& mesh) {
   std::vector<std::string> comments = {"layer " + document.layer};
   if (!document.input.empty()) comments.push_back("input " + document.input);
   if (!document.reason.empty()) comments.push_back("empty: " + document.reason);
@@ -194,9 +205,9 @@ std::vector<std::string> comments_on(const Layer_document& document, const Primi
     comments.push_back(std::to_string(set.polygon_count()) +
                        " polygons, filled together by the even-odd rule, as closed lines");
   }
-  const std::size_t points_and_balls = set.points.size() + set.balls.size();
-  if (!set.values.empty() && points_and_balls != 0 && !has_only_points_and_balls(set))
-    comments.push_back("values of " + std::to_string(points_and_balls) + " points and balls are left out");
+  const std::size_t left_out = set.balls.size() + (mesh.has_values_of_points() ? 0 : set.points.size());
+  if (!set.values.empty() && left_out != 0 && !has_only_points_and_balls(set))
+    comments.push_back("values of " + std::to_string(left_out) + " points and balls are left out");
   return comments;
 }
 
@@ -206,7 +217,7 @@ void write_ply_layer(std::ostream& stream, const Layer_document& document) {
   const Primitive_set none;
   const Primitive_set& set = document.primitives ? *document.primitives : none;
   const Ply_mesh mesh = has_only_points_and_balls(set) ? cloud(set) : complex(set);
-  Ply_writer(stream, mesh, set.values).write(comments_on(document, set));
+  Ply_writer(stream, mesh, set.values).write(comments_on(document, set, mesh));
 }
 
 }  // namespace mesecina

@@ -27,9 +27,12 @@ Formats spatial_formats() {
       {"ply", "ply",
        "binary: vertices with radius, triangles and polygons as faces, and edges, with their values; no rays",
        write_ply_layer},
-      {"off", "off", "vertices, triangles and polygons; segments as faces of two vertices; no radii, no values",
+      {"off", "off",
+       "vertices, triangles and polygons; segments as faces of two vertices, but no sides of faces; no radii, no "
+       "values",
        write_off_layer},
-      {"obj", "obj", "Wavefront: points, lines, triangles and polygons; balls as their centers, no rays, no values",
+      {"obj", "obj",
+       "Wavefront: triangles and polygons, lines and points beside them; balls as their centers, no rays, no values",
        write_obj_layer},
       {"ma", "ma",
        "medial mesh of Q-MAT, MATFP and Blender's MAT add-on: vertices with radius, edges, triangles; only for layers "

@@ -112,6 +112,30 @@ TEST(Ply_writer, AComplexSharesItsVertices) {
   EXPECT_THAT(ply.comments, Contains("values of 4 points and balls are left out"));
 }
 
+TEST(Ply_writer, VerticesThatArePointsHaveTheirValues) {
+  Primitive_set set;
+  set.dimension = 3;
+  set.vertices = {{0, 0, 1}, {1, 0, 2}, {0, 1, 3}};
+  set.radii = {4, 5, 6};
+  set.points = {2, 0, 1};
+  set.segments = {{0, 1}};
+  set.triangles = {{0, 1, 2}};
+  set.values = {{"scale", "", {7, 8, 9, 10, 11}}};
+  Ply ply = parse(written("ply", set));
+  using Row = std::vector<double>;
+  EXPECT_THAT(ply.elements["vertex"].properties, ElementsAre("x", "y", "z", "radius", "scale"));
+  EXPECT_THAT(ply.elements["vertex"].rows, ElementsAre(Row{0, 0, 1, 4, 8}, Row{1, 0, 2, 5, 9}, Row{0, 1, 3, 6, 7}));
+  EXPECT_THAT(ply.elements["edge"].rows, ElementsAre(Row{0, 1, 10}));
+  EXPECT_THAT(ply.elements["face"].rows, ElementsAre(Row{3, 0, 1, 2, 11}));
+  EXPECT_EQ(ply.left_over, 0u);
+  EXPECT_THAT(ply.comments, ElementsAre("layer some-layer"));
+  // One vertex is two points, and one is none.
+  set.points = {2, 2, 1};
+  ply = parse(written("ply", set));
+  EXPECT_THAT(ply.elements["vertex"].properties, ElementsAre("x", "y", "z", "radius"));
+  EXPECT_THAT(ply.comments, Contains("values of 3 points and balls are left out"));
+}
+
 TEST(Ply_writer, ArcsAndPolygonsAreEdgesAndRaysAreCounted) {
   Ply ply = parse(written("ply", one_of_each()));
   EXPECT_EQ(ply.elements["vertex"].rows.size(), 4u + 89);

@@ -75,6 +75,31 @@ TEST(Spatial_off, HasTrianglesPolygonsAndSegments) {
   EXPECT_EQ(read_back("off", two_balls()).inputs.get(cloud_input)->size(), 3u);
 }
 
+/// A square, an edge at it and a lone point, with all that bounds them.
+Primitive_set listed_complex() {
+  Primitive_set set;
+  set.dimension = 3;
+  set.is_complex = true;
+  set.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 2, 0}, {3, 3, 3}};
+  set.points = {0, 1, 2, 3, 4, 5};
+  set.segments = {{0, 1}, {2, 1}, {2, 3}, {0, 3}, {2, 4}};
+  set.polygon_offsets = {0, 4};
+  set.polygon_vertices = {0, 1, 2, 3};
+  return set;
+}
+
+TEST(Spatial_off, HasNoSidesOfFaces) {
+  EXPECT_THAT(written("off", listed_complex()), HasSubstr("\n# 1 segments as faces of two vertices\n6 2 0\n"));
+  EXPECT_THAT(written("off", listed_complex()), HasSubstr("\n2 2 4\n4 0 1 2 3\n"));
+  Primitive_set no_complex = listed_complex();
+  no_complex.is_complex = false;
+  EXPECT_THAT(written("off", no_complex), HasSubstr("\n6 6 0\n"));
+}
+
+TEST(Spatial_obj, HasNoSidesOfFacesAndNoEndsOfLines) {
+  EXPECT_THAT(written("obj", listed_complex()), HasSubstr("\nv 3 3 3\np 6\nl 3 5\nf 1 2 3 4\n"));
+}
+
 TEST(Spatial_obj, PolygonsAreFaces) {
   EXPECT_THAT(written("obj", medial_axis()), HasSubstr("\nl 5 6\nf 2 3 4\nf 1 2 4 5\n"));
   EXPECT_THAT(written("obj", medial_axis()), Not(HasSubstr("even-odd")));
