@@ -21,18 +21,23 @@ using Rational = CGAL::Exact_rational;
 template <class Number>
 using Coordinates = std::array<Number, 3>;
 
+/// A ball as the regular triangulation knows it.
+struct Weighted_point {
+  Point_3 center;
+  double weight = 0;
+};
+
 /// From the center of the first ball to the point of equal power distance to all four.
 template <class Number>
-Coordinates<Number> offset_of_power_center(const std::array<Ball_3, 4>& balls) {
+Coordinates<Number> offset_of_power_center(const std::array<Weighted_point, 4>& balls) {
   const Point_3& origin = balls[0].center;
-  const auto weight = [](const Ball_3& ball) { return Number(ball.radius * ball.radius); };
   std::array<Coordinates<Number>, 3> to{};
   Coordinates<Number> power{};
   for (int i = 0; i < 3; ++i) {
     const Point_3& c = balls[i + 1].center;
     to[i] = {Number(c.x) - Number(origin.x), Number(c.y) - Number(origin.y), Number(c.z) - Number(origin.z)};
-    power[i] =
-        to[i][0] * to[i][0] + to[i][1] * to[i][1] + to[i][2] * to[i][2] + weight(balls[0]) - weight(balls[i + 1]);
+    power[i] = to[i][0] * to[i][0] + to[i][1] * to[i][1] + to[i][2] * to[i][2] + Number(balls[0].weight) -
+               Number(balls[i + 1].weight);
   }
   const auto minor = [&to](int i, int j, int k) -> Number {
     return to[i][(k + 1) % 3] * to[j][(k + 2) % 3] - to[i][(k + 2) % 3] * to[j][(k + 1) % 3];
@@ -45,7 +50,7 @@ Coordinates<Number> offset_of_power_center(const std::array<Ball_3, 4>& balls) {
 }
 
 /// Wants upward rounding.
-Point_3 rounded_power_center(const std::array<Ball_3, 4>& balls, double error) {
+Point_3 rounded_power_center(const std::array<Weighted_point, 4>& balls, double error) {
   const auto rough = offset_of_power_center<Interval>(balls);
   const auto is_sure = [error](const Interval& x) { return x.sup() - x.inf() <= error; };
   if (std::ranges::all_of(rough, is_sure)) {
@@ -137,9 +142,12 @@ class Crust_builder {
         centers_[c] = poles_.points[samples_[c]];
         return;
       }
-      std::array<Ball_3, 4> balls{};
-      for (int i = 0; i < 4; ++i) balls[i] = regular_.balls[regular_.cells[c][i]];
-      std::ranges::stable_sort(balls, {}, &Ball_3::radius);
+      std::array<Weighted_point, 4> balls{};
+      for (int i = 0; i < 4; ++i) {
+        const auto& [center, radius] = regular_.balls[regular_.cells[c][i]];
+        balls[i] = {center, radius * radius};
+      }
+      std::ranges::stable_sort(balls, {}, &Weighted_point::weight);
       const CGAL::Protect_FPU_rounding<true> upward_rounding;
       centers_[c] = rounded_power_center(balls, error);
     });

@@ -53,8 +53,8 @@ struct Poles_3 {
 };
 
 /// Coordinates must be finite. O(n log n) for points of a surface. Throws Cancelled, and Unavailable where the points
-/// make no tetrahedron: fewer than four different ones, or all in one plane, to about a
-/// ten-thousandth of their diagonal.
+/// make no tetrahedron: fewer than four different ones, all in one plane, or so nearly that each sphere through four of
+/// them has a radius of a thousand diagonals.
 Poles_3 find_poles(const std::vector<Point_3>& samples, Progress& progress);
 
 /// Poles with their sides of the shape.
