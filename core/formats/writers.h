@@ -21,18 +21,21 @@ void write_csv_layer(std::ostream& stream, const Layer_document& document);
 
 /// Wavefront OBJ: v, p, l and f. A disk is its center after a comment with its radius; an arc is a polyline with at
 /// most one degree per segment; a polygon of the plane is a closed line, as OBJ has no even-odd holes, and one of space
-/// a face; rays are left out and counted in a comment. A layer in the plane has z = 0.
+/// a face; rays are left out and counted in a comment. A layer in the plane has z = 0. Of a complex in space points and
+/// segments that bound other elements are not written again.
 void write_obj_layer(std::ostream& stream, const Layer_document& document);
 
 /// Binary little-endian PLY. If every element is a point or ball there is one vertex per element, with the values (and
 /// the radius, 0 for points) as properties. Else every vertex of the layer is written once (with its radius as
 /// vertex_radii gives it, if there are any), triangles are faces, and segments, arcs (polylines with at most one degree
 /// per edge) and polygons (closed) are edges, both with the values of their element; but polygons of space are faces,
-/// after the triangles. Rays, and values of points and balls of such a layer, are left out and counted in a comment.
+/// after the triangles. Where each vertex is one point, the values of points are properties of the vertices; else they,
+/// and rays and values of balls of such a layer, are left out and counted in a comment.
 /// The name of a value keeps only letters, digits, '-' and '_'.
 void write_ply_layer(std::ostream& stream, const Layer_document& document);
 
-/// OFF of text: all vertices, then segments as faces of two vertices, triangles and polygons. Points and balls are only
+/// OFF of text: all vertices, then segments as faces of two vertices (of a complex in space those that are no sides of
+/// faces), triangles and polygons. Points and balls are only
 /// their vertices; rays and arcs are left out. What is lost is said in comments, which follow the first line.
 void write_off_layer(std::ostream& stream, const Layer_document& document);
 
