@@ -39,6 +39,16 @@ struct Scale_importance {
 Scale_importance scale_importance(std::span<const Point_2> centers, std::span<const double> radii,
                                   std::span<const double> slopes, Progress& progress);
 
+/// The same of balls in space.
+struct Scale_importance_3 {
+  std::vector<double> values;
+  std::vector<int> witnesses;
+};
+
+/// As in the plane, with the same bounds by slopes. Near-linear in practice for balls whose centers lie along surfaces.
+Scale_importance_3 scale_importance(std::span<const Point_3> centers, std::span<const double> radii,
+                                    std::span<const double> slopes, Progress& progress);
+
 /// The same after some disks were exchanged: `old_index` says per disk which one of the old disks it is, unchanged
 /// together with its slope; -1 for a new one. `old` is what scale_importance or this returned for the old disks. Equal
 /// values to those of a full computation. O(n) with a small constant for a few exchanged disks.
