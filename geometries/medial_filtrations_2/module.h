@@ -2,13 +2,11 @@
 #pragma once
 
 #include "core/registry.h"
+#include "geometries/filtration/limits.h"
 #include "geometries/medial_axis_2/module.h"
 
 namespace mesecina {
 
-inline constexpr Setting<double> lambda_limit_setting{"lambda-limit"};
-inline constexpr Setting<double> angle_limit_setting{"angle-limit"};
-inline constexpr Setting<double> scale_limit_setting{"scale-limit"};
 inline constexpr Setting<bool> topology_preserving_setting{"topology-preserving"};
 
 inline constexpr Key<Importance_2> scale_2_key{"scale-importance-2"};

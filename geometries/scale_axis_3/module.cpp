@@ -87,9 +87,15 @@ Primitive_set scale_axis_ball_layer(Context& context) {
 Primitive_set sheet_layer(Context& context) {
   const auto axis = context.get(medial_axis_3_key);
   Primitive_set set = medial_primitives(*axis);
-  Values sheet{"sheet", "", std::vector<double>(set.points.size() + set.segments.size(), -1)};
-  for (const int s : sheets(*axis).sheet_of_face) sheet.data.push_back(s);
-  set.values.insert(set.values.begin(), std::move(sheet));
+  add_medial_values(set, "sheet", "", sheet_values(*axis));
+  return set;
+}
+
+Primitive_set grown_axis_layer(Context& context) {
+  const auto axis = context.get(grown_medial_axis_3_key);
+  Primitive_set set = medial_primitives(*axis);
+  add_medial_values(set, "angle", "degrees", angle_values(*axis));
+  add_medial_values(set, "lambda", "units of the input", lambda_values(*axis));
   return set;
 }
 
@@ -172,10 +178,9 @@ void register_scale_axis_3(Registry& registry) {
                                 "The medial axis by its sheets: faces that hang together across edges with two faces.",
                                 {60, 130, 90}, sheet_layer));
   const char* stage = "Scale axis";
-  registry.add_layer(
-      make_layer("grown-medial-axis", "Medial axis of the grown shape", stage,
-                 "The medial axis of the union of the grown balls, with all its sheets.", {120, 120, 125},
-                 [](Context& context) { return medial_primitives(*context.get(grown_medial_axis_3_key)); }));
+  registry.add_layer(make_layer("grown-medial-axis", "Medial axis of the grown shape", stage,
+                                "The medial axis of the union of the grown balls, with all its sheets.",
+                                {120, 120, 125}, grown_axis_layer));
   registry.add_layer(make_layer("scale-axis", "Scale axis", stage,
                                 "The medial axis of the grown shape without sheets of small contact angle, sampled as "
                                 "sampling-min-angle says; radii are shrunk back. [B. Miklos, J. Giesen, M. Pauly: "

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "geometries/union_3/medial_values_3.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -19,6 +20,9 @@ struct Sheets_3 {
 
 /// Numbered in the order of their first faces. O(n).
 Sheets_3 sheets(const Medial_complex_3& complex);
+/// The sheet of each face, and of each edge and vertex whose faces are all of one sheet; -1 where several meet, and
+/// where there is none. O(n).
+Medial_values_3 sheet_values(const Medial_complex_3& complex);
 
 /// The complex without the sheets whose largest face angle is less than `min_angle` degrees, the smallest first, as
 /// long as it collapses to what is left, so that the topology stays; sheets that become one when another goes count as

@@ -13,26 +13,10 @@ namespace {
 
 /// Which edges each face has and which faces each edge, and how many edges each vertex.
 struct Incidences {
-  explicit Incidences(const Medial_complex_3& complex) : edges_of_faces(complex.face_vertices.size()) {
+  explicit Incidences(const Medial_complex_3& complex) : edges_of_faces(mesecina::edges_of_faces(complex)) {
     face_offsets.assign(complex.edges.size() + 1, 0);
     edge_degrees.assign(complex.centers.size(), 0);
-    // Edges are ascending: those of each lesser vertex are neighbours.
-    std::vector<int> firsts(complex.centers.size() + 1, 0);
-    for (const auto& ends : complex.edges) ++firsts[ends[0] + 1];
-    std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
-    for (std::size_t f = 0; f < complex.face_count(); ++f) {
-      const auto corners = complex.face(f);
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const int a = corners[i];
-        const int b = corners[(i + 1) % corners.size()];
-        const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
-        const auto it = std::lower_bound(complex.edges.begin() + firsts[ends[0]],
-                                         complex.edges.begin() + firsts[ends[0] + 1], ends);
-        const int edge = static_cast<int>(it - complex.edges.begin());
-        edges_of_faces[complex.face_offsets[f] + i] = edge;
-        ++face_offsets[edge + 1];
-      }
-    }
+    for (const int edge : edges_of_faces) ++face_offsets[edge + 1];
     std::partial_sum(face_offsets.begin(), face_offsets.end(), face_offsets.begin());
     faces_of_edges.resize(edges_of_faces.size());
     std::vector<int> next(face_offsets.begin(), face_offsets.end() - 1);
@@ -278,6 +262,27 @@ Sheets_3 sheets(const Medial_complex_3& complex) {
     ++result.count;
   }
   return result;
+}
+
+Medial_values_3 sheet_values(const Medial_complex_3& complex) {
+  constexpr double none = -1;
+  constexpr double unknown = -2;
+  Medial_values_3 values;
+  const std::vector<int> of_faces = sheets(complex).sheet_of_face;
+  values.faces.assign(of_faces.begin(), of_faces.end());
+  values.edges.assign(complex.edges.size(), unknown);
+  values.vertices.assign(complex.centers.size(), unknown);
+  const auto meet = [](double& value, double sheet) { value = value == unknown || value == sheet ? sheet : none; };
+  const std::vector<int> sides = edges_of_faces(complex);
+  for (std::size_t f = 0; f < values.faces.size(); ++f) {
+    for (int i = complex.face_offsets[f]; i < complex.face_offsets[f + 1]; ++i) {
+      meet(values.edges[sides[i]], values.faces[f]);
+      meet(values.vertices[complex.face_vertices[i]], values.faces[f]);
+    }
+  }
+  std::ranges::replace(values.edges, unknown, none);
+  std::ranges::replace(values.vertices, unknown, none);
+  return values;
 }
 
 Medial_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,

@@ -2,7 +2,6 @@
 #include "geometries/union_3/module.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "core/graph.h"
@@ -115,28 +114,6 @@ void add_dual_layers(Registry& registry) {
 
 }  // namespace
 
-Primitive_set medial_primitives(const Medial_complex_3& complex) {
-  Primitive_set set = primitives_in_space();
-  set.vertices = complex.centers;
-  set.radii = complex.radii;
-  set.is_complex = true;
-  set.polygon_offsets = complex.face_offsets;
-  set.polygon_vertices = complex.face_vertices;
-  Loose_parts_3 loose = loose_parts(complex);
-  set.segments = std::move(loose.edges);
-  set.points = std::move(loose.vertices);
-  // Edges and vertices without faces are singular: spheres meet there in circles, or touch nothing.
-  const std::size_t others = set.points.size() + set.segments.size();
-  const auto with_others = [&](const std::vector<double>& of_faces) {
-    std::vector<double> data(others, std::numeric_limits<double>::infinity());
-    data.insert(data.end(), of_faces.begin(), of_faces.end());
-    return data;
-  };
-  set.values.push_back({"angle", "degrees", with_others(angle_of_faces(complex))});
-  set.values.push_back({"lambda", "units of the input", with_others(lambda_of_faces(complex))});
-  return set;
-}
-
 void warn_of_special_positions(Context& context, const Medial_complex_3& axis, const Dual_3& dual) {
   if (has_topology_of_union(axis, dual)) return;
   context.warn(
@@ -170,13 +147,6 @@ void register_union_3(Registry& registry) {
       make_layer("union-vertices", "Vertices of the union", "Union of balls",
                  "V(U): where three spheres meet on the boundary of the union.", {180, 40, 40},
                  [](Context& context) { return point_primitives(context.get(union_vertices_3_key)->points); }));
-  registry.add_layer(make_layer(
-      "medial-axis", "Medial axis", "Union of balls",
-      "The medial axis of the union of the balls, exact but for incomplete faces: the singular faces of the dual "
-      "complex, "
-      "and the Voronoi diagram of V(U) in the rest of it. [N. Amenta, R. Kolluri: The medial axis of a union of balls, "
-      "2001]",
-      {60, 130, 90}, [](Context& context) { return medial_primitives(*context.get(medial_axis_3_key)); }));
 }
 
 }  // namespace mesecina

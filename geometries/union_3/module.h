@@ -11,13 +11,11 @@ inline constexpr Key<Dual_3> dual_3_key{"dual-3"};
 inline constexpr Key<Union_vertices_3> union_vertices_3_key{"union-vertices-3"};
 inline constexpr Key<Medial_complex_3> medial_axis_3_key{"medial-axis-3"};
 
-/// The polygons of a complex with the values "angle" and "lambda", its edges without polygons, its lone vertices.
-Primitive_set medial_primitives(const Medial_complex_3& complex);
-
 /// Tells the user when the axis has not the topology of the union, and what to do.
 void warn_of_special_positions(Context& context, const Medial_complex_3& axis, const Dual_3& dual);
 
-/// The union of balls: regular triangulation, dual complex, vertices of the boundary, medial axis.
+/// The union of balls: regular triangulation, dual complex, vertices of the boundary; and the medial axis, without its
+/// layers.
 void register_union_3(Registry& registry);
 
 }  // namespace mesecina

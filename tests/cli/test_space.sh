@@ -27,7 +27,10 @@ for layer in dual medial-axis scale-axis; do
   expect_json results/stats.jsonl ".[0].layers[\"$layer\"] | .euler == 0 and .betti == [1, 1, 0]"
 done
 expect_json results/torus.medial-axis.json '.[0] | .dimension == 3 and (.polygons | length) > 100
-  and (.radii | length) == (.vertices | length) and (.values.angle | length) == (.polygons | length) + (.segments // [] | length)'
+  and (.radii | length) == (.vertices | length) and (.points | length) == (.vertices | length)
+  and (.points | length) - (.segments | length) + (.polygons | length) == 0
+  and ([.values.angle, .values.lambda, .values.scale, .values.sheet | length] | unique)
+    == [(.points | length) + (.segments | length) + (.polygons | length)]'
 
 # The same bytes whatever the threads are; the balls that were written are read back and give the same union.
 succeed --nogui torus.obj --layers $layers "${settings[@]}" --formats json,ply,ma --threads 1 --output one
@@ -37,6 +40,28 @@ expect_same one two
 succeed --nogui torus.obj --layers balls --set delta=0.03 --formats woff --output again
 succeed --nogui again/torus.balls.woff --layers dual --stats --output again
 expect_json again/stats.jsonl '.[0].layers.dual.betti == [1, 1, 0]'
+
+# Limits of the medial axis are applied in files and in statistics; what is left is a complex, and is read again.
+filtered=lambda-medial-axis,angle-medial-axis,scale-medial-axis
+succeed --nogui torus.obj --layers $filtered,medial-axis,medial-contacts --set delta=0.06 --set lambda-limit=0.3 \
+  --set angle-limit=120 --set scale-limit=1.2 --formats json,csv,ply,ma --stats --output cut
+for name in lambda:0.3 angle:120 scale:1.2; do
+  layer=${name%%:*}-medial-axis
+  expect_json cut/torus.$layer.json ".[0] | (.values.${name%%:*} | map(if . == \"inf\" then 1e9 else . end) | min) >= ${name#*:}
+    and (.points | length) == (.vertices | length)
+    and ([.polygons[] | . + .[:1] | range(length - 1) as \$i | .[\$i:\$i + 2] | sort] | unique | length) <= (.segments | length)"
+  expect_json cut/stats.jsonl ".[0].layers | .[\"$layer\"].polygons > 0 and .[\"$layer\"].polygons < .[\"medial-axis\"].polygons
+    and (.[\"$layer\"].betti | length) == 3"
+  expect_lines cut/torus.$layer.csv $((1 + $(jq '(.points | length) + (.segments | length) + (.polygons | length)' cut/torus.$layer.json)))
+  cp cut/torus.$layer.ply $layer-mesh.ply
+  cp cut/torus.$layer.ma $layer-balls.ma
+  succeed --nogui $layer-mesh.ply $layer-balls.ma --layers mesh,balls --stats --output opened
+  balls=$(jq '.vertices | length' cut/torus.$layer.json)
+  expect_json opened/stats.jsonl "map(select(.input == \"$layer-balls.ma\"))[0].layers.balls.balls == $balls"
+  expect_json opened/stats.jsonl "map(select(.input == \"$layer-mesh.ply\"))[0].layers.mesh.vertices == $balls"
+done
+expect_json cut/torus.medial-contacts.json \
+  ".[0] | (.segments | length) == $(jq '.polygons | length' cut/torus.medial-axis.json) and .values[\"to-ball-2\"] != null"
 
 # Balls of a few kinds.
 printf '0 0 0 1\n' >one.cin

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/graph.h"
+#include "geometries/modules_2.h"
 #include "geometries/modules_3.h"
 
 namespace mesecina {
@@ -62,6 +63,10 @@ const std::set<std::string> promised_layers = {"mesh",
                                                "dual-singular-vertices",
                                                "union-vertices",
                                                "medial-axis",
+                                               "medial-contacts",
+                                               "lambda-medial-axis",
+                                               "angle-medial-axis",
+                                               "scale-medial-axis",
                                                "sheets",
                                                "scale-axis",
                                                "scale-axis-balls"};
@@ -101,6 +106,9 @@ void expect_layers(const Inputs& inputs, const std::set<std::string>& without_va
     EXPECT_EQ(outcome.value->dimension, 3) << layer.id;
     for (const Values& values : outcome.value->values)
       EXPECT_EQ(values.data.size(), outcome.value->element_count()) << layer.id << " " << values.name;
+    if (const auto cut = registry->cut(layer, {})) {
+      EXPECT_NE(outcome.value->find_values(cut->value), nullptr) << layer.id;
+    }
     if (!outcome.value->radii.empty()) {
       EXPECT_EQ(outcome.value->radii.size(), outcome.value->vertices.size()) << layer.id;
     }
@@ -144,6 +152,21 @@ TEST(Registry_3, OnlyWhatDependsOnTheScaleIsComputedAgain) {
   ASSERT_TRUE(graph.layer("scale-axis", progress));
   for (const char* id : {"solid-3", "surface-samples-3", "balls-3"}) EXPECT_EQ(graph.computations(id), 1u) << id;
   EXPECT_EQ(graph.computations("scale-axis-3"), 2u);
+}
+
+TEST(Registry_3, LimitsOfTheMedialAxisAreThoseOfThePlane) {
+  const auto plane = make_registry_2();
+  const auto space = make_registry_3();
+  for (const char* name : {"lambda", "angle", "scale"}) {
+    const std::string limit = std::string(name) + "-limit";
+    const Setting_spec* here = space->find_setting(limit);
+    ASSERT_NE(here, nullptr) << limit;
+    EXPECT_EQ(here->unit, plane->find_setting(limit)->unit);
+    EXPECT_EQ(here->default_value, plane->find_setting(limit)->default_value);
+    const Layer_spec* layer = space->find_layer(std::string(name) + "-medial-axis");
+    ASSERT_NE(layer, nullptr) << name;
+    EXPECT_EQ(space->cut(*layer, Settings().with(limit, 1.5)), (Cut{name, 1.5}));
+  }
 }
 
 TEST(Registry_3, TheTopologyOfATorusGoesThroughAllStages) {
