@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <set>
 
+#include "core/formats/spatial_readers.h"
+#include "core/graph.h"
 #include "geometries/medial_filtrations_3/medial_scale_3.h"
+#include "geometries/modules_3.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
+#include "geometries/union_3/module.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/axis_checks_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
@@ -154,6 +159,20 @@ TEST(Medial_values_3, AreByDefinitionOnManyBallsAndSolids) {
     EXPECT_TRUE(have_values_by_definition(axis_of(many_balls(500, neighbors, 5)).complex));
   for (const Smooth_solid& solid : smooth_solids())
     EXPECT_TRUE(have_values_by_definition(axis_of(inner_voronoi_balls(solid, 300, 1e-4, 2)).complex)) << solid.name;
+}
+
+TEST(Medial_values_3, AreByDefinitionOnARealShape) {
+  MESECINA_NEED_DATA();
+  const auto file = *data_folder() / "3d" / "elephant.off";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
+  Graph graph(make_registry_3());
+  graph.set_inputs(read_off(file).inputs);
+  graph.set_settings(Settings().with("delta", 0.02));
+  Progress progress;
+  const auto complex = graph.structure(medial_axis_3_key, progress).value;
+  ASSERT_TRUE(complex);
+  EXPECT_GT(complex->face_count(), 1000u);
+  EXPECT_TRUE(have_values_by_definition(*complex));
 }
 
 TEST(Medial_values_3, OfOneAndTwoBalls) {
