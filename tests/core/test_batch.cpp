@@ -176,14 +176,15 @@ TEST_F(Batch_test, SignalStopsTheRunAndLeavesOnlyCompleteResults) {
 TEST_F(Batch_death_test, ComputationThatDoesNotStopIsLeftBehind) {
   EXPECT_EXIT(run(
                   3, 2, false,
-                  [](int number, Progress& progress) {
+                  [this](int number, Progress& progress) {
                     if (number == 0) return;
+                    wait_until([this] { return has_result(0); });
                     kill(getpid(), SIGINT);
                     wait_until([&] { return progress.is_cancelled(); });
                     std::this_thread::sleep_for(std::chrono::minutes(5));
                   },
                   std::cerr),
-              testing::ExitedWithCode(exit_interrupted), "stopped: 1 of 3 done");
+              testing::ExitedWithCode(exit_interrupted), "stopped: 1 of 2 done");
   EXPECT_TRUE(has_result(0));
   EXPECT_FALSE(has_result(1));
   EXPECT_THAT(summary(), HasSubstr("input0.number,done,"));
