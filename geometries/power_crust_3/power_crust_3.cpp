@@ -153,33 +153,63 @@ class Crust_builder {
     });
   }
 
-  /// What edges of the surface join, at one sample, becomes one vertex: if that is a disk, and faces have it in one
-  /// piece. Otherwise the surface would be pinched there.
+  /// What edges of the surface join, at one sample, becomes one vertex: if that is a disk, faces have it in one piece,
+  /// and no two edges get the same ends. Otherwise the surface would be pinched there.
   void number_vertices() {
+    join_places();
+    tear_pinched_places();
+    while (tear_doubled_edges()) progress_.check();
+    vertex_of_cell_.assign(regular_.cells.size(), -1);
+    for (const int cell : ring_cells_) {
+      const int first = place_of_cell_[cell];
+      if (vertex_of_cell_[first] < 0) {
+        vertex_of_cell_[first] = static_cast<int>(result_.vertices.size());
+        result_.vertices.push_back(centers_[first]);
+        result_.samples.push_back(samples_[first]);
+      }
+      vertex_of_cell_[cell] = vertex_of_cell_[first];
+    }
+  }
+
+  void join_places() {
     const std::size_t count = regular_.cells.size();
     Disjoint_sets places(count);
     for_each_step([&](int cell, int next) {
       if (samples_[cell] >= 0 && samples_[cell] == samples_[next]) places.join(cell, next);
     });
-    std::vector<int> place_of_cell(count);
-    for (std::size_t c = 0; c < count; ++c) place_of_cell[c] = places.find(static_cast<int>(c));
+    place_of_cell_.resize(count);
+    for (std::size_t c = 0; c < count; ++c) place_of_cell_[c] = places.find(static_cast<int>(c));
+  }
 
+  /// Each cell of a torn place becomes a place of its own. False when nothing changes.
+  bool tear(const std::vector<std::uint8_t>& is_torn) {
+    bool is_any = false;
+    for (std::size_t c = 0; c < place_of_cell_.size(); ++c) {
+      if (is_torn[place_of_cell_[c]] == 0 || place_of_cell_[c] == static_cast<int>(c)) continue;
+      place_of_cell_[c] = static_cast<int>(c);
+      is_any = true;
+    }
+    return is_any;
+  }
+
+  void tear_pinched_places() {
+    const std::size_t count = regular_.cells.size();
     std::vector<int> twice_euler(count, 0);
     std::vector<std::uint8_t> is_seen(count, 0);
     for (const int cell : ring_cells_) {
-      if (is_seen[cell] == 0) twice_euler[place_of_cell[cell]] += 2;
+      if (is_seen[cell] == 0) twice_euler[place_of_cell_[cell]] += 2;
       is_seen[cell] = 1;
     }
     for_each_step([&](int cell, int next) {
-      if (place_of_cell[cell] == place_of_cell[next]) --twice_euler[place_of_cell[cell]];
+      if (place_of_cell_[cell] == place_of_cell_[next]) --twice_euler[place_of_cell_[cell]];
     });
     std::vector<std::uint8_t> is_torn(count, 0);
     std::vector<int> entered;
     for (std::size_t r = 0; r < ring_count(); ++r) {
       entered.clear();
-      int previous = place_of_cell[ring(r).back()];
+      int previous = place_of_cell_[ring(r).back()];
       for (const int cell : ring(r)) {
-        const int place = place_of_cell[cell];
+        const int place = place_of_cell_[cell];
         if (place != previous) {
           if (std::ranges::find(entered, place) != entered.end()) is_torn[place] = 1;
           entered.push_back(place);
@@ -188,19 +218,49 @@ class Crust_builder {
       }
       if (entered.empty()) twice_euler[previous] += 2;
     }
+    for (const int cell : ring_cells_)
+      if (twice_euler[place_of_cell_[cell]] != 2) is_torn[place_of_cell_[cell]] = 1;
+    tear(is_torn);
+  }
 
-    vertex_of_cell_.assign(count, -1);
-    for (const int cell : ring_cells_) {
-      if (vertex_of_cell_[cell] >= 0) continue;
-      const int place = place_of_cell[cell];
-      const int first = twice_euler[place] == 2 && is_torn[place] == 0 ? place : cell;
-      if (vertex_of_cell_[first] < 0) {
-        vertex_of_cell_[first] = static_cast<int>(result_.vertices.size());
-        result_.vertices.push_back(centers_[first]);
-        result_.samples.push_back(samples_[first]);
+  /// An edge between two places: these, and its two cells, each ascending.
+  using Edge = std::array<int, 4>;
+
+  Edge edge_between(int cell, int next) const {
+    const auto [u, v] = std::minmax(place_of_cell_[cell], place_of_cell_[next]);
+    return {u, v, std::min(cell, next), std::max(cell, next)};
+  }
+
+  /// False when there were none to tear. Edges with a face of two edges between them are one.
+  bool tear_doubled_edges() {
+    std::vector<Edge> edges;
+    for_each_step([&](int cell, int next) {
+      if (place_of_cell_[cell] != place_of_cell_[next] && (samples_[cell] >= 0 || samples_[next] >= 0))
+        edges.push_back(edge_between(cell, next));
+    });
+    std::ranges::sort(edges);
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    Disjoint_sets same(edges.size());
+    const auto number = [&](const Edge& edge) {
+      return static_cast<int>(std::ranges::lower_bound(edges, edge) - edges.begin());
+    };
+    std::vector<Edge> sides;
+    for (std::size_t r = 0; r < ring_count(); ++r) {
+      sides.clear();
+      int previous = ring(r).back();
+      for (const int cell : ring(r)) {
+        if (place_of_cell_[cell] != place_of_cell_[previous]) sides.push_back(edge_between(previous, cell));
+        previous = cell;
       }
-      vertex_of_cell_[cell] = vertex_of_cell_[first];
+      if (sides.size() == 2) same.join(number(sides[0]), number(sides[1]));
     }
+    std::vector<std::uint8_t> is_torn(regular_.cells.size(), 0);
+    for (int e = 1; e < static_cast<int>(edges.size()); ++e) {
+      if (edges[e][0] != edges[e - 1][0] || edges[e][1] != edges[e - 1][1] || same.find(e) == same.find(e - 1))
+        continue;
+      is_torn[edges[e][0]] = is_torn[edges[e][1]] = 1;
+    }
+    return tear(is_torn);
   }
 
   /// Calls function(cell, next) for the sides of all rings; each edge of the surface is twice among them.
@@ -235,8 +295,9 @@ class Crust_builder {
   std::vector<std::array<int, 2>> ring_poles_;  ///< per ring the inner and the outer one
   std::vector<int> ring_offsets_;
   std::vector<int> ring_cells_;
-  std::vector<int> samples_;      ///< per cell of a ring the sample that it is; -1 for none
-  std::vector<Point_3> centers_;  ///< per cell of a ring its power center
+  std::vector<int> samples_;        ///< per cell of a ring the sample that it is; -1 for none
+  std::vector<Point_3> centers_;    ///< per cell of a ring its power center
+  std::vector<int> place_of_cell_;  ///< by the first cell of the place
   std::vector<int> vertex_of_cell_;
   Power_crust_3 result_;
 };

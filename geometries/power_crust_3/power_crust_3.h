@@ -87,8 +87,8 @@ double intersection_cosine(const Poles_3& poles, int a, int b);
 std::vector<Ball_3> inner_polar_balls(const Polar_balls_3& polar, double perturbation);
 
 /// Faces of the power diagram of the poles between an inner and an outer one: polygons with shared vertices. Normals
-/// (right-hand rule) point to the outer pole. The surface is closed, a manifold: it has two faces along every edge. Two
-/// edges may have the same two vertices; so every pair of vertices has an even number of faces.
+/// (right-hand rule) point to the outer pole. The surface is closed, a manifold: it has two faces along every edge, and
+/// the topology of the boundary of the power shape.
 ///
 /// The faces are those of the regular triangulation, which is exact for the rounded balls. Spheres through one sample
 /// meet there: cells of the triangulation whose balls all have one sample on their spheres have their vertex at this

@@ -19,11 +19,10 @@ Primitive_set primitives_of(const Power_crust_3& surface);
 Topology topology_of_inner_balls(const Polar_balls_3& polar);
 /// Signed volume.
 double volume(const Power_crust_3& surface);
-/// Every edge has an even number of faces, as many in one direction as in the other, and no face has a vertex twice.
-/// True when that number is two.
-bool expect_closed(const Power_crust_3& surface);
+/// Every edge has two faces, which have it in opposite directions, and no face has a vertex twice.
+void expect_closed(const Power_crust_3& surface);
 /// All that is true of every power crust: it is closed, its vertices are as far in power from the poles beside them as
-/// from no other, it bounds the power shape in topology (where no two edges have the same vertices), and the shape's
+/// from no other, it bounds the power shape in topology, and the shape's
 /// parts are all those between inner poles.
 void expect_sound(const Crust_3& crust);
 
