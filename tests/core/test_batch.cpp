@@ -175,7 +175,7 @@ TEST_F(Batch_test, SignalStopsTheRunAndLeavesOnlyCompleteResults) {
 
 TEST_F(Batch_death_test, ComputationThatDoesNotStopIsLeftBehind) {
   EXPECT_EXIT(run(
-                  3, 2, false,
+                  2, 2, false,
                   [this](int number, Progress& progress) {
                     if (number == 0) return;
                     wait_until([this] { return has_result(0); });
