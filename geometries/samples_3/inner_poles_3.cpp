@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/disjoint_sets.h"
-#include "core/outcome.h"
 #include "geometries/parallel.h"
 #include "geometries/samples_3/samples_3.h"
 #include "geometries/scatter.h"
@@ -39,8 +38,8 @@ std::vector<int> sides_in_common(const Delaunay_3& delaunay, double covering_rad
 
 }  // namespace
 
-std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Delaunay_3& delaunay, const Solid_3& solid,
-                                double perturbation, Progress& progress) {
+std::vector<int> inner_pole_cells(const Surface_samples_3& samples, const Delaunay_3& delaunay, const Solid_3& solid,
+                                  Progress& progress) {
   progress.begin_stage("inner poles");
   const std::size_t count = delaunay.cells.size();
   const std::vector<int> side_class = sides_in_common(delaunay, samples.covering_radius);
@@ -68,7 +67,7 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Delaunay
   std::vector<int> at(offsets.begin(), offsets.end() - 1);
   std::vector<int> open(samples.points.size());
   std::iota(open.begin(), open.end(), 0);
-  std::vector<std::uint8_t> is_pole(count, 0);
+  std::vector<int> poles(samples.points.size(), -1);
   while (!open.empty()) {
     std::vector<int> asked;
     std::vector<int> still_open;
@@ -77,7 +76,7 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Delaunay
       if (at[s] == offsets[s + 1]) continue;
       const int vertex = stars[at[s]];
       if (sides[side_class[vertex]] == Side::inner) {
-        is_pole[vertex] = 1;
+        poles[s] = vertex;
       } else {
         asked.push_back(side_class[vertex]);
         still_open.push_back(s);
@@ -93,17 +92,21 @@ std::vector<Ball_3> inner_poles(const Surface_samples_3& samples, const Delaunay
     open = std::move(still_open);
   }
 
+  return poles;
+}
+
+std::vector<Ball_3> balls_of_cells(const Delaunay_3& delaunay, std::vector<int> cells, double perturbation) {
+  std::ranges::sort(cells);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   std::vector<Ball_3> balls;
-  for (std::size_t c = 0; c < count; ++c) {
-    if (is_pole[c] == 0) continue;
+  balls.reserve(cells.size());
+  for (const int c : cells) {
+    if (c < 0) continue;
     const double r = delaunay.circumradii[c];
     const std::uint64_t number = 3 * balls.size();
     const Point_3 shift{scattered(number), scattered(number + 1), scattered(number + 2)};
     balls.push_back({delaunay.circumcenters[c] + (perturbation * r) * shift, r});
   }
-  if (balls.empty())
-    throw Unavailable("no Voronoi vertex of the " + std::to_string(samples.points.size()) +
-                      " samples lies inside: the solid is thinner than delta; choose a smaller delta");
   return balls;
 }
 

@@ -28,11 +28,16 @@ Solid_3 compute_solid(Context& context) {
   return solid;
 }
 
-Surface_samples_3 compute_samples(Context& context) {
+Ball_approximation_3 compute_approximation(Context& context) {
   const auto solid = context.get(solid_3_key);
   Box box;
   for (const Point_3& p : solid->surface.vertices) box.add(p);
-  return sample_surface(solid->surface, context.setting(delta_setting) * box.diagonal(), context.progress());
+  Ball_approximation_3 result = approximate_by_balls(*solid, context.setting(delta_setting) * box.diagonal(),
+                                                     context.setting(perturbation_setting), context.progress());
+  if (result.is_exhausted)
+    context.warn("The solid is so thin that " + std::to_string(result.samples.points.size()) +
+                 " samples do not tell its sides apart everywhere, and no more are taken. Choose a smaller delta.");
+  return result;
 }
 
 std::vector<Ball_3> compute_balls(Context& context) {
@@ -42,9 +47,7 @@ std::vector<Ball_3> compute_balls(Context& context) {
   }
   if (const auto cloud = context.input(cloud_input); !context.input(mesh_input) && cloud && !cloud->empty())
     return inner_polar_balls(*context.get(polar_balls_3_key), context.setting(perturbation_setting));
-  const auto solid = context.get(solid_3_key);
-  return inner_poles(*context.get(surface_samples_3_key), *context.get(delaunay_3_key), *solid,
-                     context.setting(perturbation_setting), context.progress());
+  return context.get(ball_approximation_3_key)->balls;
 }
 
 /// Who looks at the balls of a mesh wants to know how well they stand for it.
@@ -125,7 +128,9 @@ void register_samples_3(Registry& registry) {
   registry.begin_module({"samples-3", "Balls of a mesh", "A solid, samples of its surface, and balls inside it."});
   add_settings(registry);
   registry.add_structure<Solid_3>(solid_3_key, compute_solid);
-  registry.add_structure<Surface_samples_3>(surface_samples_3_key, compute_samples);
+  registry.add_structure<Ball_approximation_3>(ball_approximation_3_key, compute_approximation);
+  registry.add_structure<Surface_samples_3>(
+      surface_samples_3_key, [](Context& context) { return context.get(ball_approximation_3_key)->samples; });
   registry.add_structure<std::vector<Ball_3>>(balls_3_key, compute_balls);
   const char* stage = "Balls";
   registry.add_layer(make_layer("solid", "Solid", stage,

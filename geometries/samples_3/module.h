@@ -2,11 +2,12 @@
 #pragma once
 
 #include "core/registry.h"
-#include "geometries/samples_3/samples_3.h"
+#include "geometries/samples_3/ball_approximation_3.h"
 
 namespace mesecina {
 
 inline constexpr Key<Solid_3> solid_3_key{"solid-3"};
+inline constexpr Key<Ball_approximation_3> ball_approximation_3_key{"ball-approximation-3"};
 inline constexpr Key<Surface_samples_3> surface_samples_3_key{"surface-samples-3"};
 /// The balls whose union is looked at: given ones, else the inner poles of the mesh, else of the points.
 inline constexpr Key<std::vector<Ball_3>> balls_3_key{"balls-3"};

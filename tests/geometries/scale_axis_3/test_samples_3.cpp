@@ -91,7 +91,9 @@ TEST(Inner_poles_3, OfASphereLieAtItsCenter) {
   Progress progress;
   const auto solid = make_solid(std::make_shared<Triangle_mesh_3>(sphere(4)), Repair::automatic, progress);
   const Surface_samples_3 samples = sample_surface(solid.surface, 0.2, progress);
-  const std::vector<Ball_3> balls = inner_poles(samples, delaunay(samples.points, progress), solid, 1e-4, progress);
+  const Delaunay_3 triangulation = delaunay(samples.points, progress);
+  const std::vector<Ball_3> balls =
+      balls_of_cells(triangulation, inner_pole_cells(samples, triangulation, solid, progress), 1e-4);
   ASSERT_FALSE(balls.empty());
   for (const Ball_3& ball : balls) {
     EXPECT_LT(std::sqrt(dot(ball.center, ball.center)), 0.05);
@@ -103,7 +105,9 @@ TEST(Inner_poles_3, AreEmptyBallsInsideTheCube) {
   Progress progress;
   const auto solid = make_solid(std::make_shared<Triangle_mesh_3>(cube()), Repair::automatic, progress);
   const Surface_samples_3 samples = sample_surface(solid.surface, 0.1, progress);
-  const std::vector<Ball_3> balls = inner_poles(samples, delaunay(samples.points, progress), solid, 0, progress);
+  const Delaunay_3 triangulation = delaunay(samples.points, progress);
+  const std::vector<Ball_3> balls =
+      balls_of_cells(triangulation, inner_pole_cells(samples, triangulation, solid, progress), 0);
   ASSERT_GT(balls.size(), 100u);
   double largest = 0;
   for (const Ball_3& ball : balls) {

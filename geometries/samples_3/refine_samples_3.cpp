@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/samples_3/refine_samples_3.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+#include "geometries/parallel.h"
+#include "geometries/samples_3/graded_grid_3.h"
+
+namespace mesecina {
+
+namespace {
+
+/// How much the wanted spacing grows with the distance.
+constexpr double slope = 0.3;
+/// Samples keep this part of the wanted spacing from each other.
+constexpr double spacing_part = 0.7;
+/// Those that are added for a gap keep this part.
+constexpr double gap_spacing_part = 0.45;
+/// Nearer to a sample another one does not help.
+constexpr double least_part = 0.1;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Two corners of a cell between which the solid is thin.
+using Sides = std::array<int, 2>;
+
+/// Calls use(sides) for all pairs of corners of the cell that lie on both sides of a part that the cell is inside of.
+template <class Use>
+void for_opposite_corners(const Surface_samples_3& samples, const Delaunay_3& delaunay, std::size_t cell,
+                          const Use& use) {
+  constexpr double cosine = -0.5;
+  const auto& corners = delaunay.cells[cell];
+  std::array<Point_3, 4> rays{};
+  for (int i = 0; i < 4; ++i) rays[i] = delaunay.points[corners[i]] - delaunay.circumcenters[cell];
+  const double square = delaunay.circumradii[cell] * delaunay.circumradii[cell];
+  const auto faces_out = [&](int i) { return dot(rays[i], samples.normals[corners[i]]) > 0; };
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      if (dot(rays[i], rays[j]) < cosine * square && faces_out(i) && faces_out(j) &&
+          dot(samples.normals[corners[i]], samples.normals[corners[j]]) < cosine)
+        use(Sides{corners[i], corners[j]});
+}
+
+/// Per vertex of the triangulation its cells.
+struct Stars {
+  std::vector<int> offsets;
+  std::vector<int> cells;
+};
+
+Stars stars_of(const Delaunay_3& delaunay) {
+  Stars stars;
+  stars.offsets.assign(delaunay.points.size() + 1, 0);
+  for (const auto& corners : delaunay.cells)
+    for (const int v : corners) ++stars.offsets[v + 1];
+  std::partial_sum(stars.offsets.begin(), stars.offsets.end(), stars.offsets.begin());
+  stars.cells.resize(stars.offsets.back());
+  std::vector<int> next(stars.offsets.begin(), stars.offsets.end() - 1);
+  for (std::size_t c = 0; c < delaunay.cells.size(); ++c)
+    for (const int v : delaunay.cells[c]) stars.cells[next[v]++] = static_cast<int>(c);
+  return stars;
+}
+
+/// Makes spacings change slowly along the edges of the triangulation, starting from those that are less than before.
+void grade(const Delaunay_3& delaunay, const std::vector<double>& before, std::vector<double>& wanted) {
+  using Step = std::pair<double, int>;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+  std::vector<int> lowered;
+  for (std::size_t s = 0; s < wanted.size(); ++s)
+    if (wanted[s] < before[s]) lowered.push_back(static_cast<int>(s));
+  if (lowered.empty()) return;
+  const Stars stars = stars_of(delaunay);
+  const auto for_neighbors = [&](int sample, const auto& use) {
+    for (int k = stars.offsets[sample]; k < stars.offsets[sample + 1]; ++k)
+      for (const int other : delaunay.cells[stars.cells[k]])
+        if (other != sample) use(other, distance(delaunay.points[sample], delaunay.points[other]));
+  };
+  // Around a sample that wants more the others want it too: nothing fits between them otherwise.
+  constexpr double reach = 1.5;
+  std::vector<double> spread = wanted;
+  for (const int sample : lowered) {
+    for_neighbors(sample, [&](int other, double d) {
+      if (d < reach * before[sample]) spread[other] = std::min(spread[other], wanted[sample]);
+    });
+  }
+  wanted = std::move(spread);
+  for (std::size_t s = 0; s < wanted.size(); ++s)
+    if (wanted[s] < before[s]) queue.emplace(wanted[s], static_cast<int>(s));
+  while (!queue.empty()) {
+    const auto [spacing, sample] = queue.top();
+    queue.pop();
+    if (spacing > wanted[sample]) continue;
+    const double here = spacing;
+    for_neighbors(sample, [&](int other, double d) {
+      const double there = here + slope * d;
+      if (there >= wanted[other]) return;
+      wanted[other] = there;
+      queue.emplace(there, other);
+    });
+  }
+}
+
+using Corners = std::array<Point_3, 3>;
+
+Point_3 middle_of(const Corners& t) { return (1.0 / 3) * (t[0] + t[1] + t[2]); }
+
+struct Candidate {
+  Point_3 point;
+  double spacing = 0;
+  bool fills_a_gap = false;
+  int triangle = 0;
+};
+
+/// What matters of a sample to the surface around it.
+struct Near {
+  Point_3 sample;
+  double wanted = 0;
+  Point_3 pole;
+  double pole_radius = -1;  ///< -1 for no pole
+};
+
+/// Looks for places of the surface where samples are missing. Each thread has its own notes.
+class Search {
+ public:
+  struct Notes {
+    std::vector<Corners> pieces;
+    std::vector<Near> near;
+    std::vector<Candidate> found;
+  };
+
+  Search(const Sampled_balls_3& balls, const Triangle_mesh_3& surface, const std::vector<double>& wanted, double gap)
+      : balls_(balls),
+        surface_(surface),
+        wanted_(wanted),
+        gap_(gap),
+        coarsest_(balls.samples.covering_radius),
+        grid_(coarsest_),
+        unsettled_(coarsest_) {
+    for (std::size_t s = 0; s < wanted.size(); ++s) {
+      grid_.add(balls.samples.points[s], wanted[s]);
+      if (balls.is_settled[s] == 0 || wanted[s] < balls.samples.spacing[s])
+        unsettled_.add(balls.samples.points[s], coarsest_);
+    }
+  }
+
+  void look_at(int triangle, Notes& notes) const {
+    const auto& [a, b, c] = surface_.triangles[triangle];
+    notes.pieces.assign(1, {surface_.vertices[a], surface_.vertices[b], surface_.vertices[c]});
+    while (!notes.pieces.empty()) {
+      const Corners piece = notes.pieces.back();
+      notes.pieces.pop_back();
+      const Point_3 middle = middle_of(piece);
+      const double radius =
+          std::max({distance(middle, piece[0]), distance(middle, piece[1]), distance(middle, piece[2])});
+      if (radius > 2 * coarsest_) {
+        split(piece, notes.pieces);
+        continue;
+      }
+      if (is_settled(middle, radius)) continue;
+      notes.near.clear();
+      double spacing = coarsest_;
+      grid_.for_near(middle, radius + spacing_part * coarsest_, [&](int s) {
+        Near& near = notes.near.emplace_back();
+        near.sample = grid_.point(s);
+        near.wanted = wanted_[s];
+        if (const int pole = balls_.poles[s]; pole >= 0) {
+          near.pole = balls_.delaunay.circumcenters[pole];
+          near.pole_radius = balls_.delaunay.circumradii[pole];
+        }
+        spacing = std::min(spacing, wanted_[s] + slope * distance(middle, grid_.point(s)));
+      });
+      constexpr double largest = 1.5;
+      if (radius > largest * spacing) {
+        split(piece, notes.pieces);
+      } else {
+        look_at_grid(piece, spacing, triangle, notes);
+      }
+    }
+  }
+
+ private:
+  bool is_settled(const Point_3& middle, double radius) const {
+    bool is_alone = true;
+    unsettled_.for_near(middle, radius + coarsest_, [&](int) { is_alone = false; });
+    return is_alone;
+  }
+
+  static void split(const Corners& t, std::vector<Corners>& pieces) {
+    const Point_3 a = midpoint(t[0], t[1]);
+    const Point_3 b = midpoint(t[1], t[2]);
+    const Point_3 c = midpoint(t[2], t[0]);
+    pieces.push_back({t[0], a, c});
+    pieces.push_back({a, t[1], b});
+    pieces.push_back({c, b, t[2]});
+    pieces.push_back({a, b, c});
+  }
+
+  void look_at_grid(const Corners& t, double spacing, int triangle, Notes& notes) const {
+    constexpr double step_part = 0.35;
+    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+    if (longest <= step_part * spacing) {
+      look_at_point(middle_of(t), triangle, notes);
+      return;
+    }
+    const int n = static_cast<int>(std::ceil(longest / (step_part * spacing)));
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n - i; ++j) {
+        const double u = static_cast<double>(i) / n;
+        const double v = static_cast<double>(j) / n;
+        look_at_point(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]), triangle, notes);
+      }
+    }
+  }
+
+  void look_at_point(const Point_3& x, int triangle, Notes& notes) const {
+    double spacing = coarsest_;
+    double nearest = infinity;
+    double deviation = infinity;
+    for (const Near& near : notes.near) {
+      const double d = distance(x, near.sample);
+      nearest = std::min(nearest, d);
+      spacing = std::min(spacing, near.wanted + slope * d);
+      if (near.pole_radius > 0) deviation = std::min(deviation, distance(x, near.pole) - near.pole_radius);
+    }
+    if (nearest >= spacing_part * spacing) {
+      notes.found.push_back({x, spacing, false, triangle});
+    } else if (std::isfinite(deviation) && std::abs(deviation) > gap_ && nearest > least_part * spacing) {
+      notes.found.push_back({x, spacing, true, triangle});
+    }
+  }
+
+  const Sampled_balls_3& balls_;
+  const Triangle_mesh_3& surface_;
+  const std::vector<double>& wanted_;
+  double gap_;
+  double coarsest_;
+  Graded_grid_3 grid_;
+  Graded_grid_3 unsettled_;
+};
+
+}  // namespace
+
+std::vector<int> thin_cells(const Surface_samples_3& samples, const Delaunay_3& delaunay, double factor) {
+  std::vector<int> thin;
+  for (std::size_t c = 0; c < delaunay.cells.size(); ++c) {
+    double spacing = 0;
+    for (const int s : delaunay.cells[c]) spacing = std::max(spacing, samples.spacing[s]);
+    if (delaunay.circumradii[c] > factor * spacing) continue;
+    bool is_thin = false;
+    for_opposite_corners(samples, delaunay, c, [&](const Sides&) { is_thin = true; });
+    if (is_thin) thin.push_back(static_cast<int>(c));
+  }
+  return thin;
+}
+
+std::vector<double> wanted_spacing(const Sampled_balls_3& balls, bool also_at_thin_parts, double finest) {
+  // A little less is not worth more samples.
+  constexpr double enough = 0.8;
+  // The union of the poles alone carries a plate whose half thickness is about the spacing.
+  constexpr double part_of_radius = 0.8;
+  const std::vector<double>& before = balls.samples.spacing;
+  std::vector<double> wanted = before;
+  const auto want = [&](int sample, double spacing) {
+    spacing = std::max({spacing, before[sample] / 2, finest});
+    if (spacing < enough * before[sample]) wanted[sample] = std::min(wanted[sample], spacing);
+  };
+  for (std::size_t s = 0; s < wanted.size(); ++s)
+    if (balls.poles[s] < 0) want(static_cast<int>(s), 0);
+  if (also_at_thin_parts) {
+    for (const int c : thin_cells(balls.samples, balls.delaunay, enough / part_of_radius)) {
+      const double spacing = part_of_radius * balls.delaunay.circumradii[c];
+      for_opposite_corners(balls.samples, balls.delaunay, c, [&](const Sides& sides) {
+        for (const int s : sides) want(s, spacing);
+      });
+    }
+  }
+  grade(balls.delaunay, before, wanted);
+  return wanted;
+}
+
+void triangulate_samples(Sampled_balls_3& balls, const Solid_3& solid, Progress& progress) {
+  // By their samples: cells have new numbers each time.
+  const auto corners_of_pole = [&](std::size_t sample) {
+    std::array<int, 4> corners{-1, -1, -1, -1};
+    if (balls.poles[sample] >= 0) corners = balls.delaunay.cells[balls.poles[sample]];
+    std::ranges::sort(corners);
+    return corners;
+  };
+  std::vector<std::array<int, 4>> before(balls.poles.size());
+  for (std::size_t s = 0; s < before.size(); ++s) before[s] = corners_of_pole(s);
+  balls.delaunay = delaunay(balls.samples.points, progress);
+  progress.begin_stage("inner poles");
+  balls.poles = inner_pole_cells(balls.samples, balls.delaunay, solid, progress);
+  balls.is_settled.resize(balls.poles.size(), 0);
+  for (std::size_t s = 0; s < before.size(); ++s)
+    if (corners_of_pole(s) != before[s]) balls.is_settled[s] = 0;
+}
+
+std::size_t add_samples(Sampled_balls_3& balls, const Triangle_mesh_3& surface, const std::vector<double>& wanted,
+                        double gap, Progress& progress) {
+  const Search search(balls, surface, wanted, gap);
+  constexpr std::size_t block = 4096;
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<Candidate>> found((count + block - 1) / block);
+  parallel_blocks(found.size(), progress, [&](std::size_t b) {
+    Search::Notes notes;
+    for (std::size_t t = b * block; t < std::min(count, (b + 1) * block); ++t)
+      search.look_at(static_cast<int>(t), notes);
+    found[b] = std::move(notes.found);
+  });
+
+  Graded_grid_3 added(balls.samples.covering_radius);
+  std::vector<double> spacings;
+  balls.samples.spacing = wanted;
+  balls.is_settled.assign(wanted.size(), 1);
+  for (const auto& part : found) {
+    for (const Candidate& candidate : part) {
+      double spacing = candidate.spacing;
+      double nearest = infinity;
+      added.for_near(candidate.point, spacing, [&](int i) {
+        const double d = distance(added.point(i), candidate.point);
+        nearest = std::min(nearest, d);
+        spacing = std::min(spacing, spacings[i] + slope * d);
+      });
+      if (nearest < (candidate.fills_a_gap ? gap_spacing_part : spacing_part) * spacing) continue;
+      added.add(candidate.point, spacing);
+      spacings.push_back(spacing);
+      const auto& [a, b, c] = surface.triangles[candidate.triangle];
+      const Point_3 normal =
+          cross(surface.vertices[b] - surface.vertices[a], surface.vertices[c] - surface.vertices[a]);
+      const double length = std::sqrt(dot(normal, normal));
+      balls.samples.points.push_back(candidate.point);
+      balls.samples.normals.push_back(length > 0 ? (1 / length) * normal : normal);
+      balls.samples.spacing.push_back(spacing);
+    }
+  }
+  return spacings.size();
+}
+
+}  // namespace mesecina
