@@ -53,7 +53,7 @@ std::vector<Ball_3> compute_balls(Context& context) {
 /// Who looks at the balls of a mesh wants to know how well they stand for it.
 Primitive_set ball_layer(Context& context) {
   Primitive_set set = ball_primitives(*context.get(balls_3_key));
-  if (!context.input(balls_input) && context.input(mesh_input)) context.get(surface_error_3_key);
+  if (are_balls_of_mesh(context)) context.get(surface_error_3_key);
   return set;
 }
 
@@ -76,9 +76,9 @@ void add_settings(Registry& registry) {
     setting.id = delta_setting.id;
     setting.label = "Sampling distance";
     setting.help =
-        "Every point of the surface has a sample within this distance. Smaller: more balls, a finer approximation; "
-        "half "
-        "of it gives four times the balls. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.1]";
+        "Every point of the surface has a sample within this distance; where the balls would deviate from the "
+        "surface by more than a third of it, or the solid is thin, there are more. Half of it gives four times the "
+        "balls. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.1]";
     setting.unit = "fraction of the diagonal";
     setting.default_value = 0.01;
     setting.minimum = 1e-5;
@@ -123,6 +123,11 @@ void add_settings(Registry& registry) {
 }
 
 }  // namespace
+
+bool are_balls_of_mesh(Context& context) {
+  const auto given = context.input(balls_input);
+  return (!given || given->empty()) && context.input(mesh_input) != nullptr;
+}
 
 void register_samples_3(Registry& registry) {
   registry.begin_module({"samples-3", "Balls of a mesh", "A solid, samples of its surface, and balls inside it."});

@@ -17,6 +17,9 @@ inline constexpr Setting<double> delta_setting{"delta"};
 inline constexpr Setting<double> perturbation_setting{"perturbation"};
 inline constexpr Setting<double> given_perturbation_setting{"given-perturbation"};
 
+/// Whether the balls are those that approximate the mesh, of ball_approximation_3_key.
+bool are_balls_of_mesh(Context& context);
+
 /// From a mesh to a solid, samples of its surface, and the balls that approximate it.
 void register_samples_3(Registry& registry);
 

@@ -11,7 +11,7 @@ namespace mesecina {
 namespace {
 
 Surface_error_3 compute_error(Context& context) {
-  if (context.input(balls_input)) throw Unavailable("given balls have no mesh that they could be compared with");
+  if (!are_balls_of_mesh(context)) throw Unavailable("there is no mesh that the balls could be compared with");
   const auto solid = context.get(solid_3_key);
   const double delta = context.setting(delta_setting);
   constexpr double part_of_delta = 0.05;

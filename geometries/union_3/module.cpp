@@ -65,9 +65,14 @@ std::string betti_text(const Topology& topology) {
          " cavities";
 }
 
+Regular_3 compute_regular(Context& context) {
+  if (are_balls_of_mesh(context)) return *context.get(ball_approximation_3_key)->regular;
+  return regular_triangulation(*context.get(balls_3_key), context.progress());
+}
+
 Dual_3 compute_dual(Context& context) {
-  Dual_3 dual = dual_complex(context.get(regular_3_key), context.progress());
-  if (context.input(balls_input) || !context.input(mesh_input)) return dual;
+  if (!are_balls_of_mesh(context)) return dual_complex(context.get(regular_3_key), context.progress());
+  Dual_3 dual = *context.get(ball_approximation_3_key)->dual;
   const auto solid = context.get(solid_3_key);
   if (const Topology found = topology(dual); solid->topology && solid->topology->betti != found.betti)
     context.warn("The union of balls has " + betti_text(found) + ", the solid " + betti_text(*solid->topology) +
@@ -126,9 +131,7 @@ void warn_of_special_positions(Context& context, const Medial_complex_3& axis, c
 
 void register_union_3(Registry& registry) {
   registry.begin_module({"union-3", "Union of balls", "Structures of the union of the balls."});
-  registry.add_structure<Regular_3>(regular_3_key, [](Context& context) {
-    return regular_triangulation(*context.get(balls_3_key), context.progress());
-  });
+  registry.add_structure<Regular_3>(regular_3_key, compute_regular);
   registry.add_structure<Dual_3>(dual_3_key, compute_dual);
   registry.add_structure<Union_vertices_3>(union_vertices_3_key, [](Context& context) {
     return union_vertices(context.get(dual_3_key), context.progress());

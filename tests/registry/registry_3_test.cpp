@@ -150,7 +150,7 @@ TEST(Registry_3, OnlyWhatDependsOnTheScaleIsComputedAgain) {
   ASSERT_TRUE(graph.layer("scale-axis", progress));
   graph.set_settings(Settings().with("delta", 0.05).with("scale", 1.3));
   ASSERT_TRUE(graph.layer("scale-axis", progress));
-  for (const char* id : {"solid-3", "surface-samples-3", "balls-3"}) EXPECT_EQ(graph.computations(id), 1u) << id;
+  for (const char* id : {"solid-3", "ball-approximation-3", "balls-3"}) EXPECT_EQ(graph.computations(id), 1u) << id;
   EXPECT_EQ(graph.computations("scale-axis-3"), 2u);
 }
 
