@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/circumcenter_3.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpzf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,32 @@ Vector difference(const Point_3& p, const Point_3& q) { return {p.x - q.x, p.y -
 
 double largest_coordinate(const Vector& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
+/// Rounded once: of exact numbers.
 Point_3 exact_circumcenter(const std::array<Point_3, 4>& p) {
-  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-  const auto exact = [](const Point_3& q) { return Exact::Point_3(q.x, q.y, q.z); };
-  const Exact::Point_3 center = CGAL::circumcenter(exact(p[0]), exact(p[1]), exact(p[2]), exact(p[3]));
-  // Intervals may be as wide as the numbers here.
-  return {CGAL::to_double(CGAL::exact(center.x())), CGAL::to_double(CGAL::exact(center.y())),
-          CGAL::to_double(CGAL::exact(center.z()))};
+  using Number = CGAL::Gmpzf;
+  std::array<std::array<Number, 3>, 3> edges;
+  std::array<Number, 3> squares;
+  for (int i = 0; i < 3; ++i) {
+    const Point_3& q = p[i + 1];
+    edges[i] = {Number(q.x) - Number(p[0].x), Number(q.y) - Number(p[0].y), Number(q.z) - Number(p[0].z)};
+    squares[i] = edges[i][0] * edges[i][0] + edges[i][1] * edges[i][1] + edges[i][2] * edges[i][2];
+  }
+  const auto cross = [&](int i, int j) {
+    std::array<Number, 3> result;
+    for (int k = 0; k < 3; ++k)
+      result[k] = edges[i][(k + 1) % 3] * edges[j][(k + 2) % 3] - edges[i][(k + 2) % 3] * edges[j][(k + 1) % 3];
+    return result;
+  };
+  const std::array<std::array<Number, 3>, 3> products{cross(1, 2), cross(2, 0), cross(0, 1)};
+  const Number determinant = edges[0][0] * products[0][0] + edges[0][1] * products[0][1] + edges[0][2] * products[0][2];
+  const std::array<double, 3> origin{p[0].x, p[0].y, p[0].z};
+  std::array<double, 3> center{};
+  for (int k = 0; k < 3; ++k) {
+    const Number shift = squares[0] * products[0][k] + squares[1] * products[1][k] + squares[2] * products[2][k];
+    const Number numerator = shift + Number(2 * origin[k]) * determinant;
+    center[k] = CGAL::to_double(CGAL::Gmpq(numerator) / CGAL::Gmpq(Number(2) * determinant));
+  }
+  return {center[0], center[1], center[2]};
 }
 
 /// Seen from there the digits that are lost where two points nearly meet are those of their short difference only.

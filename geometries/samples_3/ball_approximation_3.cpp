@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/outcome.h"
@@ -23,15 +24,13 @@ class Approximation {
       : solid_(solid), distance_(distance), perturbation_(perturbation), progress_(progress) {}
 
   Ball_approximation_3 compute() {
-    current_.samples = sample_surface(solid_.surface, distance_, progress_);
-    even_count_ = current_.samples.points.size();
-    triangulate_samples(current_, solid_, progress_);
+    sample_evenly();
     settle(most_rounds);
     take(current_.poles);
     int vain_rounds = 0;
     for (int round = 0; round < most_thin_rounds && !is_right() && vain_rounds < most_vain_rounds; ++round) {
       const bool is_better = take(with_thin_cells());
-      if (is_right() || !refine(true)) break;
+      if (is_right() || even_count_ > most_samples_of_thin || !refine(true)) break;
       settle(most_thin_rounds);
       vain_rounds = take(current_.poles) || is_better ? 0 : vain_rounds + 1;
     }
@@ -42,14 +41,35 @@ class Approximation {
   }
 
  private:
-  static constexpr int most_rounds = 6;
+  static constexpr int most_rounds = 10;
   static constexpr int most_vain_rounds = 1;
   static constexpr int most_thin_rounds = 3;
+  /// Of more, none are added in thin parts.
+  static constexpr std::size_t most_samples_of_thin = 50'000;
   static constexpr int most_pit_rounds = 2;
   static constexpr double gap_part = 0.32;
   static constexpr double pit_part = 0.38;
   static constexpr double finest_part = 1.0 / 8;
   static constexpr double finest_part_of_thin = 1.0 / 64;
+
+  /// Samples of a thin solid may all lie in a plane; then there are more.
+  void sample_evenly() {
+    constexpr int most_halvings = 6;
+    double spacing = distance_;
+    for (int halving = 0;; ++halving) {
+      current_.samples = sample_surface(solid_.surface, spacing, progress_);
+      even_count_ = current_.samples.points.size();
+      try {
+        triangulate_samples(current_, solid_, progress_);
+        return;
+      } catch (const Unavailable& reason) {
+        if (halving == most_halvings)
+          throw Unavailable("the " + std::to_string(even_count_) + " samples of the surface make no tetrahedron (" +
+                            reason.what() + "): the solid is thinner than delta; choose a smaller delta");
+      }
+      spacing /= 2;
+    }
+  }
 
   void settle(int rounds) {
     for (int round = 0; round < rounds; ++round)
@@ -96,14 +116,16 @@ class Approximation {
   /// Keeps the balls of the cells if their union is nearer to the topology of the solid than the best until now, with
   /// further ones where it has pits. Returns whether.
   bool take(std::vector<int> cells) {
+    make_unique(cells);
     Ball_approximation_3 next = union_of(cells);
     if (next.balls.empty()) return false;
     std::int64_t difference = difference_to_solid(*next.dual);
     if (best_ && difference >= difference_) return false;
     for (int round = 0; round < most_pit_rounds; ++round) {
-      const std::vector<int> more = cells_in_pits(next);
+      const std::vector<int> more = cells_in_pits(next, cells);
       if (more.empty()) break;
       cells.insert(cells.end(), more.begin(), more.end());
+      make_unique(cells);
       Ball_approximation_3 filled = union_of(cells);
       const std::int64_t its_difference = difference_to_solid(*filled.dual);
       if (its_difference > difference) break;
@@ -113,9 +135,15 @@ class Approximation {
     difference_ = difference;
     next.samples = current_.samples;
     next.even_sample_count = even_count_;
-    next.is_exhausted = is_exhausted_;
+    next.is_exhausted = is_exhausted_ && difference != 0;
     best_ = std::move(next);
     return true;
+  }
+
+  static void make_unique(std::vector<int>& cells) {
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    if (!cells.empty() && cells.front() < 0) cells.erase(cells.begin());
   }
 
   Ball_approximation_3 union_of(const std::vector<int>& cells) {
@@ -128,26 +156,35 @@ class Approximation {
   }
 
   /// Where the boundary of the union lies deep in the solid, it is deepest where three spheres meet. Per such place an
-  /// inner Voronoi vertex whose ball holds it, as deep as possible.
-  std::vector<int> cells_in_pits(const Ball_approximation_3& balls) {
+  /// inner Voronoi vertex whose ball holds it, as deep as possible. `cells` are those of the balls.
+  std::vector<int> cells_in_pits(const Ball_approximation_3& balls, const std::vector<int>& cells) {
     const double limit = pit_part * distance_;
     const Union_vertices_3 vertices = union_vertices(balls.dual, progress_);
-    Graded_grid_3 grid(current_.samples.covering_radius);
-    for (std::size_t s = 0; s < current_.samples.points.size(); ++s)
-      grid.add(current_.samples.points[s], current_.samples.spacing[s]);
-    std::vector<int> nearest(vertices.points.size(), -1);
-    parallel_for(nearest.size(), progress_, [&](std::size_t v) {
-      const Point_3& p = vertices.points[v];
-      // Each vertex is on the sphere of a ball, most of them next to one of its samples.
-      double least = 4 * distance_ * distance_;
-      grid.for_near(p, 2 * distance_, [&](int s) {
-        const double square = squared_distance(p, grid.point(s));
-        if (square >= least) return;
-        least = square;
-        nearest[v] = s;
-      });
-      if (least <= limit * limit) nearest[v] = -1;
+    // Most lie next to a sample that one of their balls touches.
+    std::vector<std::uint8_t> is_near(vertices.points.size(), 0);
+    parallel_for(is_near.size(), progress_, [&](std::size_t v) {
+      for (const int ball : vertices.balls_of(static_cast<int>(v)))
+        for (const int s : current_.delaunay.cells[cells[ball]])
+          if (squared_distance(vertices.points[v], current_.samples.points[s]) <= limit * limit) is_near[v] = 1;
     });
+    std::vector<int> nearest(vertices.points.size(), -1);
+    if (std::ranges::count(is_near, 0) > 0) {
+      Graded_grid_3 grid(current_.samples.covering_radius);
+      for (std::size_t s = 0; s < current_.samples.points.size(); ++s)
+        grid.add(current_.samples.points[s], current_.samples.spacing[s]);
+      parallel_for(nearest.size(), progress_, [&](std::size_t v) {
+        if (is_near[v] != 0) return;
+        const Point_3& p = vertices.points[v];
+        double least = 4 * distance_ * distance_;
+        grid.for_near(p, 2 * distance_, [&](int s) {
+          const double square = squared_distance(p, grid.point(s));
+          if (square >= least) return;
+          least = square;
+          nearest[v] = s;
+        });
+        if (least <= limit * limit) nearest[v] = -1;
+      });
+    }
     std::vector<Point_3> places;
     std::vector<int> samples;
     for (std::size_t v = 0; v < nearest.size(); ++v) {

@@ -23,9 +23,9 @@ struct Ball_approximation_3 {
 };
 
 /// Inner poles of samples within `distance` of each other, with more samples where the balls would deviate from the
-/// surface by more than about 0.35 `distance`. If the union has not the topology of the solid, samples are added where
-/// that is thin, then inner Voronoi vertices of thin parts join the poles; of these three the one whose Betti numbers
-/// are nearest to those of the solid is returned, the first of equals.
+/// surface by more than about a third of that, and inner Voronoi vertices where their union has pits. If the union has
+/// not the topology of the solid, inner Voronoi vertices of thin parts join the poles and, with at most 50 000 even
+/// samples, more samples are added there; returned is the union whose Betti numbers are nearest to those of the solid.
 ///
 /// Centers are moved by up to `perturbation` times the radius, as balls_of_cells does. O(n log n) for n samples.
 /// Throws Unavailable when there is no ball, or the samples are too many. [N. Amenta, S. Choi, R. Kolluri: The power

@@ -27,22 +27,30 @@ class Graded_grid_3 {
   /// Calls use(i) for all points within the radius whose distance is at most twice their spacing, and for some others.
   template <class Use>
   void for_near(const Point_3& center, double radius, const Use& use) const {
+    any_near(center, radius, [&](int i) {
+      use(i);
+      return false;
+    });
+  }
+  /// Whether is_wanted(i) is true for any of these; does not look further then.
+  template <class Is_wanted>
+  bool any_near(const Point_3& center, double radius, const Is_wanted& is_wanted) const {
     const Entry* here = find({region_of(center), around});
-    if (!here) return;
+    if (!here) return false;
     for (int level = 0; level < most_levels; ++level) {
       if ((here->last >> static_cast<unsigned>(level) & 1) == 0) continue;
       const double reach = std::min(radius, 2 * edge_of(level));
-      const Point_3 lower{center.x - reach, center.y - reach, center.z - reach};
-      const Point_3 upper{center.x + reach, center.y + reach, center.z + reach};
-      const Cell first = cell_of(lower, level);
-      const Cell last = cell_of(upper, level);
+      const Cell own = cell_of(center, level);
+      if (has_any(own, level, is_wanted)) return true;
+      const Cell first = cell_of({center.x - reach, center.y - reach, center.z - reach}, level);
+      const Cell last = cell_of({center.x + reach, center.y + reach, center.z + reach}, level);
       Cell cell{};
       for (cell.x = first.x; cell.x <= last.x; ++cell.x)
         for (cell.y = first.y; cell.y <= last.y; ++cell.y)
           for (cell.z = first.z; cell.z <= last.z; ++cell.z)
-            if (const Entry* entry = find({cell, level}))
-              for (int i = entry->last; i >= 0; i = next_[i]) use(i);
+            if (!(cell == own) && has_any(cell, level, is_wanted)) return true;
     }
+    return false;
   }
 
  private:
@@ -77,6 +85,13 @@ class Graded_grid_3 {
     if (slots_.empty()) return nullptr;
     const int entry = slots_[slot_of(name)];
     return entry < 0 ? nullptr : &entries_[entry];
+  }
+  template <class Is_wanted>
+  bool has_any(const Cell& cell, int level, const Is_wanted& is_wanted) const {
+    if (const Entry* entry = find({cell, level}))
+      for (int i = entry->last; i >= 0; i = next_[i])
+        if (is_wanted(i)) return true;
+    return false;
   }
   Entry& find_or_add(const Name& name, int last);
 

@@ -24,6 +24,10 @@ constexpr double spacing_part = 0.7;
 constexpr double gap_spacing_part = 0.45;
 /// Nearer to a sample another one does not help.
 constexpr double least_part = 0.1;
+/// Where the balls are so large, compared with the spacing, and the normals so near to each other, there are no gaps: a
+/// ball whose sphere passes between samples deviates by a quarter of the spacing.
+constexpr double least_radius_of_smooth = 2;
+constexpr double cosine_of_smooth = 0.9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Two corners of a cell between which the solid is thin.
@@ -128,6 +132,9 @@ class Search {
  public:
   struct Notes {
     std::vector<Corners> pieces;
+    Point_3 center;
+    double reach = -1;        ///< around the center: `near` and `is_settled` hold for what is within
+    bool is_settled = false;  ///< nothing is to be looked at there
     std::vector<Near> near;
     std::vector<Candidate> found;
   };
@@ -139,54 +146,77 @@ class Search {
         gap_(gap),
         coarsest_(balls.samples.covering_radius),
         grid_(coarsest_),
-        unsettled_(coarsest_) {
+        unsettled_(coarsest_),
+        owner_(surface.vertices.size(), -1) {
     for (std::size_t s = 0; s < wanted.size(); ++s) {
       grid_.add(balls.samples.points[s], wanted[s]);
       if (balls.is_settled[s] == 0 || wanted[s] < balls.samples.spacing[s])
         unsettled_.add(balls.samples.points[s], coarsest_);
     }
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      for (const int v : surface.triangles[t])
+        if (owner_[v] < 0) owner_[v] = static_cast<int>(t);
   }
 
   void look_at(int triangle, Notes& notes) const {
     const auto& [a, b, c] = surface_.triangles[triangle];
     notes.pieces.assign(1, {surface_.vertices[a], surface_.vertices[b], surface_.vertices[c]});
+    bool is_split = false;
     while (!notes.pieces.empty()) {
       const Corners piece = notes.pieces.back();
+      const bool is_whole = !is_split;
       notes.pieces.pop_back();
       const Point_3 middle = middle_of(piece);
       const double radius =
           std::max({distance(middle, piece[0]), distance(middle, piece[1]), distance(middle, piece[2])});
       if (radius > 2 * coarsest_) {
+        is_split = true;
         split(piece, notes.pieces);
         continue;
       }
-      if (is_settled(middle, radius)) continue;
-      notes.near.clear();
+      if (!(distance(middle, notes.center) + radius <= notes.reach)) gather(middle, radius, notes);
+      if (notes.is_settled) continue;
       double spacing = coarsest_;
-      grid_.for_near(middle, radius + spacing_part * coarsest_, [&](int s) {
-        Near& near = notes.near.emplace_back();
-        near.sample = grid_.point(s);
-        near.wanted = wanted_[s];
-        if (const int pole = balls_.poles[s]; pole >= 0) {
-          near.pole = balls_.delaunay.circumcenters[pole];
-          near.pole_radius = balls_.delaunay.circumradii[pole];
-        }
-        spacing = std::min(spacing, wanted_[s] + slope * distance(middle, grid_.point(s)));
-      });
-      constexpr double largest = 1.5;
+      for (const Near& near : notes.near)
+        spacing = std::min(spacing, near.wanted + slope * distance(middle, near.sample));
+      constexpr double largest = 0.8;
       if (radius > largest * spacing) {
+        is_split = true;
         split(piece, notes.pieces);
       } else {
-        look_at_grid(piece, spacing, triangle, notes);
+        look_at_grid(piece, spacing, triangle, is_whole, notes);
       }
     }
   }
 
  private:
-  bool is_settled(const Point_3& middle, double radius) const {
-    bool is_alone = true;
-    unsettled_.for_near(middle, radius + coarsest_, [&](int) { is_alone = false; });
-    return is_alone;
+  /// What is near to a piece, and a little farther: the next one is likely to be next to it.
+  void gather(const Point_3& middle, double radius, Notes& notes) const {
+    constexpr double slack = 0.4;
+    notes.center = middle;
+    notes.reach = radius + slack * coarsest_;
+    notes.near.clear();
+    notes.is_settled = !unsettled_.any_near(middle, notes.reach + coarsest_, [](int) { return true; });
+    if (notes.is_settled) return;
+    double spacing = coarsest_;
+    bool is_smooth = true;
+    int first = -1;
+    grid_.for_near(middle, notes.reach + spacing_part * coarsest_, [&](int s) {
+      Near& near = notes.near.emplace_back();
+      near.sample = grid_.point(s);
+      near.wanted = wanted_[s];
+      if (const int pole = balls_.poles[s]; pole >= 0) {
+        near.pole = balls_.delaunay.circumcenters[pole];
+        near.pole_radius = balls_.delaunay.circumradii[pole];
+      }
+      spacing = std::min(spacing, near.wanted + slope * distance(middle, near.sample));
+      if (first < 0) first = s;
+      is_smooth = is_smooth && near.wanted >= balls_.samples.spacing[s] &&
+                  near.pole_radius > least_radius_of_smooth * coarsest_ &&
+                  dot(balls_.samples.normals[s], balls_.samples.normals[first]) > cosine_of_smooth;
+    });
+    notes.is_settled = is_smooth;
+    notes.reach = radius + slack * spacing;
   }
 
   static void split(const Corners& t, std::vector<Corners>& pieces) {
@@ -199,16 +229,27 @@ class Search {
     pieces.push_back({a, b, c});
   }
 
-  void look_at_grid(const Corners& t, double spacing, int triangle, Notes& notes) const {
+  /// Of whole triangles, corners and edges are looked at once.
+  void look_at_grid(const Corners& t, double spacing, int triangle, bool is_whole, Notes& notes) const {
     constexpr double step_part = 0.35;
+    const auto& corners = surface_.triangles[triangle];
     const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-    if (longest <= step_part * spacing) {
-      look_at_point(middle_of(t), triangle, notes);
-      return;
-    }
-    const int n = static_cast<int>(std::ceil(longest / (step_part * spacing)));
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / (step_part * spacing))));
+    const auto is_mine = [&](int i, int j) {
+      if (!is_whole) return true;
+      const int k = n - i - j;
+      if (k == n) return owner_[corners[0]] == triangle;
+      if (i == n) return owner_[corners[1]] == triangle;
+      if (j == n) return owner_[corners[2]] == triangle;
+      // The neighbor has the edge the other way round.
+      if (j == 0) return corners[0] < corners[1];
+      if (k == 0) return corners[1] < corners[2];
+      if (i == 0) return corners[2] < corners[0];
+      return true;
+    };
     for (int i = 0; i <= n; ++i) {
       for (int j = 0; j <= n - i; ++j) {
+        if (!is_mine(i, j)) continue;
         const double u = static_cast<double>(i) / n;
         const double v = static_cast<double>(j) / n;
         look_at_point(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]), triangle, notes);
@@ -240,6 +281,7 @@ class Search {
   double coarsest_;
   Graded_grid_3 grid_;
   Graded_grid_3 unsettled_;
+  std::vector<int> owner_;  ///< per vertex a triangle that has it
 };
 
 }  // namespace

@@ -24,11 +24,8 @@ class Spaced_samples {
   }
 
   void add(const Point_3& p, const Point_3& normal) {
-    bool is_free = true;
-    grid_.for_near(p, spacing_, [&](int i) {
-      if (squared_distance(grid_.point(i), p) < spacing_ * spacing_) is_free = false;
-    });
-    if (!is_free) return;
+    if (grid_.any_near(p, spacing_, [&](int i) { return squared_distance(grid_.point(i), p) < spacing_ * spacing_; }))
+      return;
     if (grid_.size() == most_samples)
       throw Unavailable("the surface would get more than " + std::to_string(most_samples) +
                         " samples; choose a larger delta");

@@ -32,8 +32,11 @@ Circle_of_edge circle_of(const Medial_complex_3& complex, const std::array<int, 
   const double first = complex.radii[edge[0]];
   const double second = complex.radii[edge[1]];
   const double length = distance(complex.centers[edge[0]], complex.centers[edge[1]]);
+  // Of ends that differ by rounding only the direction is noise; they are one ball.
+  constexpr double rounding = 1e-12;
   // From the first end on.
-  const double place = length > 0 ? (length + (first - second) * (first + second) / length) / 2 : 0;
+  const double place =
+      length > rounding * std::max(first, second) ? (length + (first - second) * (first + second) / length) / 2 : 0;
   Circle_of_edge circle;
   circle.radius = std::sqrt(std::max(0.0, (first - place) * (first + place)));
   circle.distance_to_edge = std::max({0.0, -place, place - length});

@@ -3,14 +3,21 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "core/disjoint_sets.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 
@@ -24,6 +31,15 @@ using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Triangulation =
     CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+
+/// So that what is near in space is near in memory.
+void sort_along_curve(const std::vector<Point_3>& points, std::vector<std::size_t>& indices) {
+  std::vector<Kernel::Point_3> places;
+  places.reserve(points.size());
+  for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>;
+  CGAL::hilbert_sort(indices.begin(), indices.end(), Traits(CGAL::make_property_map(std::as_const(places))));
+}
 
 /// Points at equal places become one with the balls of all of them.
 void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result) {
@@ -47,9 +63,12 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result) {
     }
     others[slot[representative]].push_back(order[i]);
   }
+  std::vector<std::size_t> kept;
+  for (std::size_t v = 0; v < first.size(); ++v)
+    if (first[v] == static_cast<int>(v)) kept.push_back(v);
+  sort_along_curve(vertices.points, kept);
   result.ball_offsets.push_back(0);
-  for (std::size_t v = 0; v < first.size(); ++v) {
-    if (first[v] != static_cast<int>(v)) continue;
+  for (const std::size_t v : kept) {
     result.points.push_back(vertices.points[v]);
     const auto own = vertices.balls_of(static_cast<int>(v));
     const std::size_t begin = result.balls.size();
@@ -77,20 +96,26 @@ void triangulate(Vertex_voronoi_3& result) {
   triangulation.insert(points.begin(), points.end());
   if (triangulation.dimension() < 3) return;
   points = {};
-  int next = 0;
+  // By their least point, for the same reason.
+  const auto least_point = [](const auto& cell) {
+    int least = std::numeric_limits<int>::max();
+    for (int i = 0; i < 4; ++i)
+      if (const int point = cell->vertex(i)->info(); point >= 0) least = std::min(least, point);
+    return least;
+  };
+  std::vector<int> next(result.points.size() + 1, 0);
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-    cell->info() = next++;
-  result.cells.reserve(next);
-  result.neighbors.reserve(next);
+    ++next[least_point(cell) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  result.cells.resize(next.back());
+  result.neighbors.resize(next.back());
+  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
+    cell->info() = next[least_point(cell)]++;
   for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
-    std::array<int, 4> corners{};
-    std::array<int, 4> across{};
     for (int i = 0; i < 4; ++i) {
-      corners[i] = cell->vertex(i)->info();
-      across[i] = cell->neighbor(i)->info();
+      result.cells[cell->info()][i] = cell->vertex(i)->info();
+      result.neighbors[cell->info()][i] = cell->neighbor(i)->info();
     }
-    result.cells.push_back(corners);
-    result.neighbors.push_back(across);
   }
 }
 
@@ -118,25 +143,82 @@ void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progr
   });
 }
 
+/// How far from flat a tetrahedron is, in (0, 1]: the center of its sphere has about this part of all digits.
+double roundness(const std::array<Point_3, 4>& p) {
+  const Point_3 u = p[1] - p[0];
+  const Point_3 v = p[2] - p[0];
+  const Point_3 w = p[3] - p[0];
+  const double lengths = dot(u, u) * dot(v, v) * dot(w, w);
+  return lengths > 0 ? std::abs(dot(u, cross(v, w))) / std::sqrt(lengths) : 0;
+}
+
+/// Voronoi edges cross the boundary of the dual complex at centers of balls only, those on whose spheres the three
+/// points of the edge lie. So cells are on one side together across facets whose points have no ball in common, and
+/// where a Voronoi vertex lies is asked once per class, at the one whose place is known best. Voronoi vertices at
+/// centers of balls need no asking.
 void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progress) {
   const Regular_3& regular = *dual.regular;
   const std::size_t count = result.cells.size();
-  result.is_inner.assign(count, 0);
-  result.centers.assign(count, {});
+  const auto corners_of = [&](std::size_t c) {
+    std::array<Point_3, 4> corners{};
+    for (int i = 0; i < 4; ++i) corners[i] = result.points[result.cells[c][i]];
+    return corners;
+  };
+  const auto is_infinite = [&](std::size_t c) { return std::ranges::min(result.cells[c]) < 0; };
+
+  std::vector<std::uint8_t> is_open(count, 0);  // as bits, per facet
+  std::vector<float> quality(count, 0);
   parallel_for(count, progress, [&](std::size_t c) {
-    const auto& corners = result.cells[c];
-    if (std::ranges::min(corners) < 0) return;
+    if (is_infinite(c) || result.ball_of_cell[c] >= 0) return;
+    quality[c] = static_cast<float>(roundness(corners_of(c)));
+    for (int i = 0; i < 4; ++i) {
+      std::array<int, 3> facet{};
+      for (int k = 0; k < 3; ++k) facet[k] = result.cells[c][(i + 1 + k) % 4];
+      bool have_ball = false;
+      result.for_common_balls(facet, [&](int) { have_ball = true; });
+      if (!have_ball) is_open[c] |= static_cast<std::uint8_t>(1 << i);
+    }
+  });
+  Disjoint_sets classes(count);
+  for (std::size_t c = 0; c < count; ++c)
+    for (int i = 0; i < 4; ++i)
+      if ((is_open[c] >> i & 1) != 0) classes.join(static_cast<int>(c), result.neighbors[c][i]);
+
+  // At roots: a cell of the class to ask about. Infinite ones are outside.
+  constexpr int outside = -1;
+  std::vector<int> class_of_cell(count);
+  std::vector<int> representatives(count);
+  std::iota(representatives.begin(), representatives.end(), 0);
+  for (std::size_t c = 0; c < count; ++c) {
+    const int root = classes.find(static_cast<int>(c));
+    class_of_cell[c] = root;
+    int& best = representatives[root];
+    if (best == outside) continue;
+    if (is_infinite(c)) {
+      best = outside;
+    } else if (quality[c] > quality[best]) {
+      best = static_cast<int>(c);
+    }
+  }
+  std::vector<int> asked;
+  for (std::size_t c = 0; c < count; ++c)
+    if (class_of_cell[c] == static_cast<int>(c) && representatives[c] != outside && result.ball_of_cell[c] < 0)
+      asked.push_back(static_cast<int>(c));
+  result.is_inner.assign(count, 0);
+  parallel_for(asked.size(), progress, [&](std::size_t i) {
+    const int cell = representatives[asked[i]];
+    const int start = regular.cell_of_ball[result.balls_of(result.cells[cell][0]).front()];
+    const int found = locate(regular, circumcenter(corners_of(cell)), start);
+    if (found >= 0 && dual.has_cell[found] != 0) result.is_inner[asked[i]] = 1;
+  });
+  result.centers.assign(count, {});
+  for (std::size_t c = 0; c < count; ++c) result.is_inner[c] = result.is_inner[class_of_cell[c]];
+  parallel_for(count, progress, [&](std::size_t c) {
     if (result.ball_of_cell[c] >= 0) {
       result.is_inner[c] = 1;
-      return;
+    } else if (result.is_inner[c] != 0) {
+      result.centers[c] = circumcenter(corners_of(c));
     }
-    const Point_3 center = circumcenter(
-        {result.points[corners[0]], result.points[corners[1]], result.points[corners[2]], result.points[corners[3]]});
-    const int start = regular.cell_of_ball[result.balls_of(corners[0]).front()];
-    const int cell = locate(regular, center, start);
-    if (cell < 0 || dual.has_cell[cell] == 0) return;
-    result.is_inner[c] = 1;
-    result.centers[c] = center;
   });
 }
 

@@ -71,12 +71,15 @@ testing::AssertionResult are_near(const Medial_values_3& found, const Medial_val
   return result;
 }
 
+/// Below it two ends are one ball.
+constexpr double rounding = 1e-12;
+
 /// Twice the area of the triangle of the centers and a contact, divided by the length of the edge.
 double height_of_contact(const Medial_complex_3& complex, const std::array<int, 2>& edge) {
   const double a = complex.radii[edge[0]];
   const double b = complex.radii[edge[1]];
   const double c = distance(complex.centers[edge[0]], complex.centers[edge[1]]);
-  if (c == 0) return a;
+  if (c <= rounding * a) return a;
   const double square = (a + b + c) * (b + c - a) * (a + c - b) * (a + b - c);
   return std::sqrt(std::max(square, 0.0)) / (2 * c);
 }
@@ -87,6 +90,7 @@ double largest_angle_on(const Medial_complex_3& complex, const std::array<int, 2
   const double a = complex.radii[edge[0]];
   const double b = complex.radii[edge[1]];
   const double c = distance(complex.centers[edge[0]], complex.centers[edge[1]]);
+  if (c <= rounding * a) return 180;
   if (c * c + a * a >= b * b && c * c + b * b >= a * a) return 180;
   double largest = 0;
   constexpr int steps = 1000;
