@@ -42,7 +42,7 @@ class Approximation {
 
  private:
   static constexpr int most_rounds = 10;
-  static constexpr int most_vain_rounds = 1;
+  static constexpr int most_vain_rounds = 2;
   static constexpr int most_thin_rounds = 3;
   /// Of more, none are added in thin parts.
   static constexpr std::size_t most_samples_of_thin = 50'000;

@@ -169,7 +169,7 @@ class Search {
       const Point_3 middle = middle_of(piece);
       const double radius =
           std::max({distance(middle, piece[0]), distance(middle, piece[1]), distance(middle, piece[2])});
-      if (radius > 2 * coarsest_) {
+      if (radius > coarsest_) {
         is_split = true;
         split(piece, notes.pieces);
         continue;
@@ -179,7 +179,6 @@ class Search {
       double spacing = coarsest_;
       for (const Near& near : notes.near)
         spacing = std::min(spacing, near.wanted + slope * distance(middle, near.sample));
-      constexpr double largest = 0.8;
       if (radius > largest * spacing) {
         is_split = true;
         split(piece, notes.pieces);
@@ -194,7 +193,7 @@ class Search {
   void gather(const Point_3& middle, double radius, Notes& notes) const {
     constexpr double slack = 0.4;
     notes.center = middle;
-    notes.reach = radius + slack * coarsest_;
+    notes.reach = std::min(radius + slack * coarsest_, coarsest_);
     notes.near.clear();
     notes.is_settled = !unsettled_.any_near(middle, notes.reach + coarsest_, [](int) { return true; });
     if (notes.is_settled) return;
@@ -216,7 +215,7 @@ class Search {
                   dot(balls_.samples.normals[s], balls_.samples.normals[first]) > cosine_of_smooth;
     });
     notes.is_settled = is_smooth;
-    notes.reach = radius + slack * spacing;
+    notes.reach = std::min(notes.reach, largest * spacing);
   }
 
   static void split(const Corners& t, std::vector<Corners>& pieces) {
@@ -273,6 +272,10 @@ class Search {
       notes.found.push_back({x, spacing, true, triangle});
     }
   }
+
+  /// Of the spacing in the middle: so far from it all is known that matters. The grid tells of a sample that wants w
+  /// within 2 w, and spacings grow with the slope; farther away, points could come too near to samples unseen.
+  static constexpr double largest = 0.65;
 
   const Sampled_balls_3& balls_;
   const Triangle_mesh_3& surface_;
