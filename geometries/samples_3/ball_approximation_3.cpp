@@ -55,6 +55,7 @@ class Approximation {
   /// Samples of a thin solid may all lie in a plane; then there are more.
   void sample_evenly() {
     constexpr int most_halvings = 6;
+    constexpr std::size_t most_in_plane = 50'000;
     double spacing = distance_;
     for (int halving = 0;; ++halving) {
       current_.samples = sample_surface(solid_.surface, spacing, progress_);
@@ -63,7 +64,7 @@ class Approximation {
         triangulate_samples(current_, solid_, progress_);
         return;
       } catch (const Unavailable& reason) {
-        if (halving == most_halvings)
+        if (halving == most_halvings || even_count_ > most_in_plane)
           throw Unavailable("the " + std::to_string(even_count_) + " samples of the surface make no tetrahedron (" +
                             reason.what() + "): the solid is thinner than delta; choose a smaller delta");
       }
