@@ -149,7 +149,9 @@ void register_samples_3(Registry& registry) {
                                   return set;
                                 }));
   registry.add_layer(make_layer(
-      "samples", "Samples", stage, "Points of the surface, evenly spaced: every point of it has one within delta.",
+      "samples", "Samples", stage,
+      "Points of the surface: every point of it has one within delta, and there are more where the balls would deviate "
+      "from it or the solid is thin.",
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
   registry.add_layer(
       make_layer("balls", "Balls", stage,
