@@ -32,7 +32,7 @@ expect_empty() { [ ! -s "$1" ] || fail "expected nothing in $1"; }
 expect_file() { [ -s "$1" ] || fail "expected the file $1"; }
 expect_no_file() { [ ! -e "$1" ] || fail "expected no $1"; }
 expect_json() { jq -es "$2" "$1" >/dev/null || fail "expected $2 of $1: $(head -c 1000 "$1")"; }
-expect_same() { diff -r "$1" "$2" >"$work/differences" || fail "expected the same in $1 and $2: $(head -5 "$work/differences")"; }
+expect_same() { diff -r "${@:3}" "$1" "$2" >"$work/differences" || fail "expected the same in $1 and $2: $(head -5 "$work/differences")"; }
 expect_different() { ! cmp -s "$1" "$2" || fail "expected $1 and $2 to differ"; }
 
 # succeed ARGUMENT...: runs and expects exit status 0, and no noise: only lines of the program's own.
