@@ -34,6 +34,7 @@ using Triangulation =
 
 /// So that what is near in space is near in memory.
 void sort_along_curve(const std::vector<Point_3>& points, std::vector<std::size_t>& indices) {
+  if (points.empty()) return;
   std::vector<Kernel::Point_3> places;
   places.reserve(points.size());
   for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
