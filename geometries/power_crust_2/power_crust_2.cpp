@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <queue>
+
+#include "geometries/pole_labelling.h"
 
 namespace mesecina {
 
@@ -58,76 +58,23 @@ double cosine(const Point_2& at, const Point_2& p, const Point_2& q) {
   return to_p.x * to_q.x + to_p.y * to_q.y;
 }
 
-/// A spread of labels from pole to pole, the surest first.
-class Labelling {
- public:
-  Labelling(const Poles_2& poles, const Regular_2& regular)
-      : poles_(poles), neighbors_(find_neighbors(regular)), evidence_(poles.size()), is_labelled_(poles.size(), 0) {}
-
-  void run(Polar_balls_2& result, const Progress& progress) {
-    for (int p = static_cast<int>(poles_.finite_count()); p < static_cast<int>(poles_.size()); ++p)
-      add_evidence(p, false, 1);
-    for (std::size_t step = 0; !queue_.empty(); ++step) {
-      if (step % 4096 == 0) progress.check();
-      const Entry next = queue_.top();
-      queue_.pop();
-      if (is_labelled_[next.pole] != 0 || next.priority != evidence_[next.pole].priority()) continue;
-      is_labelled_[next.pole] = 1;
-      const Evidence& evidence = evidence_[next.pole];
-      const bool is_inner = evidence.inner > evidence.outer;
-      result.is_inner[next.pole] = is_inner ? 1 : 0;
-      result.confidence[next.pole] = std::max(evidence.inner, evidence.outer);
-      spread(next.pole, is_inner, result.confidence[next.pole]);
+void find_labels(const Poles_2& poles, const Regular_2& regular, Polar_balls_2& result, const Progress& progress) {
+  const Neighbors neighbors = find_neighbors(regular);
+  const Balls_2& balls = *poles.balls;
+  Pole_labelling labelling(poles.size());
+  for (int p = static_cast<int>(poles.finite_count()); p < static_cast<int>(poles.size()); ++p) labelling.add_outer(p);
+  labelling.run(result.is_inner, result.confidence, progress, [&](int pole, const auto& offer) {
+    for (const int s : poles.samples_of(pole)) {
+      const int other = poles.opposite(pole, s);
+      if (other >= 0 && !labelling.is_labelled(other))
+        offer(other, false, -cosine((*balls.samples)[s], balls.centers[pole], balls.centers[other]));
     }
-  }
-
- private:
-  struct Evidence {
-    double inner = 0;
-    double outer = 0;
-    /// Those with evidence for one side only come first.
-    double priority() const { return inner > 0 && outer > 0 ? std::abs(inner - outer) - 1 : std::max(inner, outer); }
-  };
-  struct Entry {
-    double priority = 0;
-    int pole = 0;
-    bool operator<(const Entry& other) const {
-      return priority != other.priority ? priority < other.priority : pole > other.pole;
+    for (const int other : neighbors.of(pole)) {
+      if (labelling.is_labelled(other)) continue;
+      if (const double depth = intersection_cosine(balls, pole, other); depth > 0) offer(other, true, depth);
     }
-  };
-
-  void add_evidence(int pole, bool is_inner, double weight) {
-    double& side = is_inner ? evidence_[pole].inner : evidence_[pole].outer;
-    if (weight <= side) return;
-    side = weight;
-    queue_.push({evidence_[pole].priority(), pole});
-  }
-
-  void spread(int pole, bool is_inner, double confidence) {
-    // Long chains must not end by underflow.
-    const auto weakened = [confidence](double factor) {
-      return std::max(confidence * std::min(factor, 1.0), std::numeric_limits<double>::min());
-    };
-    const Balls_2& balls = *poles_.balls;
-    for (const int s : poles_.samples_of(pole)) {
-      const int other = poles_.opposite(pole, s);
-      if (other < 0 || is_labelled_[other] != 0) continue;
-      const double opposition = -cosine((*balls.samples)[s], balls.centers[pole], balls.centers[other]);
-      add_evidence(other, !is_inner, weakened(opposition));
-    }
-    for (const int other : neighbors_.of(pole)) {
-      if (is_labelled_[other] != 0) continue;
-      if (const double depth = intersection_cosine(balls, pole, other); depth > 0)
-        add_evidence(other, is_inner, weakened(depth));
-    }
-  }
-
-  const Poles_2& poles_;
-  Neighbors neighbors_;
-  std::vector<Evidence> evidence_;
-  std::vector<std::uint8_t> is_labelled_;
-  std::priority_queue<Entry> queue_;
-};
+  });
+}
 
 }  // namespace
 
@@ -167,7 +114,7 @@ Polar_balls_2 label_poles(std::shared_ptr<const Poles_2> poles, std::shared_ptr<
   Polar_balls_2 result;
   result.is_inner.assign(poles->size(), 0);
   result.confidence.assign(poles->size(), 0);
-  Labelling(*poles, *regular).run(result, progress);
+  find_labels(*poles, *regular, result, progress);
   result.unlabelled_count = static_cast<std::size_t>(std::ranges::count(result.confidence, 0.0));
   for (int s = 0; s < static_cast<int>(poles->first.size()); ++s) {
     const int first = poles->first[s];

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <queue>
 #include <string>
 #include <utility>
 
 #include "core/outcome.h"
+#include "geometries/pole_labelling.h"
 #include "geometries/power_crust_3/power_crust_3.h"
 #include "geometries/scatter.h"
 
@@ -63,78 +62,24 @@ int shared_contact(const Poles_3& poles, int a, int b) {
   return -1;
 }
 
-/// A spread of labels from pole to pole, the surest first.
-class Labelling {
- public:
-  Labelling(const Poles_3& poles, const Regular_3& regular)
-      : poles_(poles), neighbors_(find_neighbors(regular)), evidence_(poles.size()), is_labelled_(poles.size(), 0) {}
-
-  void run(Polar_balls_3& result, const Progress& progress) {
-    for (int p = static_cast<int>(poles_.finite_count); p < static_cast<int>(poles_.size()); ++p)
-      add_evidence(p, false, 1);
-    for (std::size_t step = 0; !queue_.empty(); ++step) {
-      constexpr std::size_t often = 4096;
-      if (step % often == 0) progress.check();
-      const Entry next = queue_.top();
-      queue_.pop();
-      if (is_labelled_[next.pole] != 0 || next.priority != evidence_[next.pole].priority()) continue;
-      is_labelled_[next.pole] = 1;
-      const Evidence& evidence = evidence_[next.pole];
-      const bool is_inner = evidence.inner > evidence.outer;
-      result.is_inner[next.pole] = is_inner ? 1 : 0;
-      result.confidence[next.pole] = std::max(evidence.inner, evidence.outer);
-      spread(next.pole, is_inner, result.confidence[next.pole]);
+void find_labels(const Poles_3& poles, const Regular_3& regular, Polar_balls_3& result, const Progress& progress) {
+  const Neighbors neighbors = find_neighbors(regular);
+  Pole_labelling labelling(poles.size());
+  for (int p = static_cast<int>(poles.finite_count); p < static_cast<int>(poles.size()); ++p) labelling.add_outer(p);
+  labelling.run(result.is_inner, result.confidence, progress, [&](int pole, const auto& offer) {
+    for (const int s : poles.samples_of(pole)) {
+      const int other = poles.opposite(pole, s);
+      if (other < 0 || labelling.is_labelled(other)) continue;
+      const Point_3& sample = poles.points[s];
+      offer(other, false,
+            -dot(unit_vector(sample, poles.balls[pole].center), unit_vector(sample, poles.balls[other].center)));
     }
-  }
-
- private:
-  struct Evidence {
-    double inner = 0;
-    double outer = 0;
-    /// Those with evidence for one side only come first.
-    double priority() const { return inner > 0 && outer > 0 ? std::abs(inner - outer) - 1 : std::max(inner, outer); }
-  };
-  struct Entry {
-    double priority = 0;
-    int pole = 0;
-    bool operator<(const Entry& other) const {
-      return priority != other.priority ? priority < other.priority : pole > other.pole;
+    for (const int other : neighbors.of(pole)) {
+      if (labelling.is_labelled(other)) continue;
+      if (const double depth = intersection_cosine(poles, pole, other); depth > 0) offer(other, true, depth);
     }
-  };
-
-  void add_evidence(int pole, bool is_inner, double weight) {
-    double& side = is_inner ? evidence_[pole].inner : evidence_[pole].outer;
-    if (weight <= side) return;
-    side = weight;
-    queue_.push({evidence_[pole].priority(), pole});
-  }
-
-  void spread(int pole, bool is_inner, double confidence) {
-    // Long chains must not end by underflow.
-    const auto weakened = [confidence](double factor) {
-      return std::max(confidence * std::min(factor, 1.0), std::numeric_limits<double>::min());
-    };
-    const Point_3& center = poles_.balls[pole].center;
-    for (const int s : poles_.samples_of(pole)) {
-      const int other = poles_.opposite(pole, s);
-      if (other < 0 || is_labelled_[other] != 0) continue;
-      const Point_3& sample = poles_.points[s];
-      const double opposition = -dot(unit_vector(sample, center), unit_vector(sample, poles_.balls[other].center));
-      add_evidence(other, !is_inner, weakened(opposition));
-    }
-    for (const int other : neighbors_.of(pole)) {
-      if (is_labelled_[other] != 0) continue;
-      if (const double depth = intersection_cosine(poles_, pole, other); depth > 0)
-        add_evidence(other, is_inner, weakened(depth));
-    }
-  }
-
-  const Poles_3& poles_;
-  Neighbors neighbors_;
-  std::vector<Evidence> evidence_;
-  std::vector<std::uint8_t> is_labelled_;
-  std::priority_queue<Entry> queue_;
-};
+  });
+}
 
 }  // namespace
 
@@ -157,7 +102,7 @@ Polar_balls_3 label_poles(std::shared_ptr<const Poles_3> poles, std::shared_ptr<
   Polar_balls_3 result;
   result.is_inner.assign(poles->size(), 0);
   result.confidence.assign(poles->size(), 0);
-  Labelling(*poles, *regular).run(result, progress);
+  find_labels(*poles, *regular, result, progress);
   result.unlabelled_count = static_cast<std::size_t>(std::ranges::count(result.confidence, 0.0));
   for (int s = 0; s < static_cast<int>(poles->first.size()); ++s) {
     const int first = poles->first[s];
