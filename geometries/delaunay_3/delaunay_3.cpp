@@ -3,8 +3,11 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <numeric>
@@ -41,6 +44,26 @@ std::vector<int> first_of_equal(const std::vector<Point_3>& points) {
   return site;
 }
 
+/// Along a space-filling curve, each from where the last one lies. Vertices get the number of a point there.
+void insert(const std::vector<Point_3>& points, Triangulation& triangulation, Progress& progress) {
+  if (points.empty()) return;
+  std::vector<Kernel::Point_3> places;
+  places.reserve(points.size());
+  for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>;
+  CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(std::as_const(places))));
+  Triangulation::Vertex_handle last;
+  std::size_t count = 0;
+  for (const std::size_t i : order) {
+    constexpr std::size_t often = 1024;
+    if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(order.size()));
+    last = triangulation.insert(places[i], last);
+    last->info() = static_cast<int>(i);
+  }
+}
+
 std::string why_flat(const Triangulation& triangulation) {
   const std::size_t count = triangulation.number_of_vertices();
   constexpr std::size_t least = 4;
@@ -57,13 +80,7 @@ Delaunay_3 delaunay(std::vector<Point_3> points, Progress& progress) {
   Delaunay_3 result;
   result.points = std::move(points);
   Triangulation triangulation;
-  {
-    std::vector<std::pair<Kernel::Point_3, int>> numbered;
-    numbered.reserve(result.points.size());
-    for (const Point_3& p : result.points)
-      numbered.emplace_back(Kernel::Point_3(p.x, p.y, p.z), static_cast<int>(numbered.size()));
-    triangulation.insert(numbered.begin(), numbered.end());
-  }
+  insert(result.points, triangulation, progress);
   progress.check();
   if (triangulation.dimension() < 3) throw Unavailable(why_flat(triangulation));
   result.site_count = triangulation.number_of_vertices();
