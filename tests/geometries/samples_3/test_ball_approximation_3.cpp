@@ -162,9 +162,9 @@ TEST(Ball_approximation_3, StopsSoonWhenCancelled) {
     }
     const auto end = Clock::now();
     timer.join();
-    // Other programs may need the processor, too, and sanitizers take their time.
+    // Relative to the whole, which sanitizers and other programs make longer, too.
     EXPECT_LT(std::chrono::duration<double>(end - asked).count(),
-              std::max(1.0, std::chrono::duration<double>(whole).count() / 3))
+              std::max(0.5, std::chrono::duration<double>(whole).count() / 2))
         << part;
   }
   EXPECT_GE(cancelled, parts / 2);
