@@ -39,6 +39,31 @@ struct Incidences {
   std::vector<int> edge_degrees;  ///< per vertex
 };
 
+Sheets_3 sheets_of(const Medial_complex_3& complex, const Incidences& incidences) {
+  Sheets_3 result;
+  result.sheet_of_face.assign(complex.face_count(), -1);
+  std::vector<int> open;
+  for (std::size_t first = 0; first < complex.face_count(); ++first) {
+    if (result.sheet_of_face[first] >= 0) continue;
+    result.sheet_of_face[first] = result.count;
+    open.push_back(static_cast<int>(first));
+    while (!open.empty()) {
+      const int f = open.back();
+      open.pop_back();
+      for (const int e : incidences.edges_of(complex, f)) {
+        const auto faces = incidences.faces_of(e);
+        if (faces.size() != 2) continue;
+        const int other = faces[0] == f ? faces[1] : faces[0];
+        if (result.sheet_of_face[other] >= 0) continue;
+        result.sheet_of_face[other] = result.count;
+        open.push_back(other);
+      }
+    }
+    ++result.count;
+  }
+  return result;
+}
+
 /// Removes sheets from a complex, whole ones, by collapses only.
 class Pruner {
  public:
@@ -52,8 +77,8 @@ class Pruner {
     face_degrees_.reserve(complex.edges.size());
     for (std::size_t e = 0; e < complex.edges.size(); ++e)
       face_degrees_.push_back(static_cast<int>(incidences_.faces_of(static_cast<int>(e)).size()));
-    const Sheets_3 parts = sheets(complex);
-    sheet_of_face_ = parts.sheet_of_face;
+    Sheets_3 parts = sheets_of(complex, incidences_);
+    sheet_of_face_ = std::move(parts.sheet_of_face);
     faces_.resize(parts.count);
     sheet_angles_.assign(parts.count, 0);
     for (std::size_t f = 0; f < complex.face_count(); ++f) {
@@ -238,31 +263,7 @@ std::vector<Ball_3> grown(const std::vector<Ball_3>& balls, double scale) {
   return result;
 }
 
-Sheets_3 sheets(const Medial_complex_3& complex) {
-  const Incidences incidences(complex);
-  Sheets_3 result;
-  result.sheet_of_face.assign(complex.face_count(), -1);
-  std::vector<int> open;
-  for (std::size_t first = 0; first < complex.face_count(); ++first) {
-    if (result.sheet_of_face[first] >= 0) continue;
-    result.sheet_of_face[first] = result.count;
-    open.push_back(static_cast<int>(first));
-    while (!open.empty()) {
-      const int f = open.back();
-      open.pop_back();
-      for (const int e : incidences.edges_of(complex, f)) {
-        const auto faces = incidences.faces_of(e);
-        if (faces.size() != 2) continue;
-        const int other = faces[0] == f ? faces[1] : faces[0];
-        if (result.sheet_of_face[other] >= 0) continue;
-        result.sheet_of_face[other] = result.count;
-        open.push_back(other);
-      }
-    }
-    ++result.count;
-  }
-  return result;
-}
+Sheets_3 sheets(const Medial_complex_3& complex) { return sheets_of(complex, Incidences(complex)); }
 
 Medial_values_3 sheet_values(const Medial_complex_3& complex) {
   constexpr double none = -1;

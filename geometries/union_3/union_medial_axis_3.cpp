@@ -162,7 +162,7 @@ class Axis_builder {
       ahead = kept;
     } while (current != cell);
     while (faces.nodes.size() > begin + 1 && faces.nodes[begin] == faces.nodes.back()) faces.nodes.pop_back();
-    if (faces.nodes.size() < begin + 3) {
+    if (faces.nodes.size() < begin + 3 || is_singular(std::span(faces.nodes).subspan(begin))) {
       faces.nodes.resize(begin);
       return;
     }
@@ -182,13 +182,24 @@ class Axis_builder {
           for (int j = i + 1; j < 4; ++j) find_face(static_cast<int>(c), i, j, found[b]);
       }
     });
+    std::vector<std::size_t> first_faces{result_.contacts.size()};
+    std::vector<std::size_t> first_nodes{result_.face_vertices.size()};
     for (const Voronoi_faces& part : found) {
-      for (std::size_t f = 0; f < part.points.size(); ++f) {
-        const std::span<const int> nodes(part.nodes.data() + part.offsets[f], part.nodes.data() + part.offsets[f + 1]);
-        if (!is_singular(nodes))
-          add_face(nodes, voronoi_.points[part.points[f][0]], voronoi_.points[part.points[f][1]]);
-      }
+      first_faces.push_back(first_faces.back() + part.points.size());
+      first_nodes.push_back(first_nodes.back() + part.nodes.size());
     }
+    result_.contacts.resize(first_faces.back());
+    result_.face_offsets.resize(first_faces.back() + 1);
+    result_.face_vertices.resize(first_nodes.back());
+    parallel_blocks(blocks, progress_, [&](std::size_t b) {
+      const Voronoi_faces& part = found[b];
+      std::ranges::copy(part.nodes, result_.face_vertices.begin() + static_cast<std::ptrdiff_t>(first_nodes[b]));
+      for (std::size_t f = 0; f < part.points.size(); ++f) {
+        const auto [p, q] = part.points[f];
+        result_.contacts[first_faces[b] + f] = {voronoi_.points[p], voronoi_.points[q]};
+        result_.face_offsets[first_faces[b] + f + 1] = static_cast<int>(first_nodes[b]) + part.offsets[f + 1];
+      }
+    });
   }
 
   /// Between the two vertices of a singular triangle lies the triangle itself.
@@ -212,8 +223,15 @@ class Axis_builder {
   /// It is wanted where a singular face begins there.
   void add_attachments() {
     if (std::ranges::count(is_loose_, 1) == 0) return;
+    const auto may_be_attached = [&](int point) {
+      return point >= 0 &&
+             std::ranges::any_of(voronoi_.balls_of(point), [&](int ball) { return is_loose_[ball] != 0; });
+    };
     for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
-      if (voronoi_.is_inner[c] == 0) continue;
+      // Each facet has one of any two points.
+      if (voronoi_.is_inner[c] == 0 ||
+          !(may_be_attached(voronoi_.cells[c][0]) || may_be_attached(voronoi_.cells[c][1])))
+        continue;
       for (int i = 0; i < 4; ++i) {
         std::array<int, 3> points{};
         for (int k = 0; k < 3; ++k) points[k] = voronoi_.cells[c][(i + 1 + k) % 4];

@@ -2,30 +2,32 @@
 #include "geometries/union_3/vertex_voronoi_3.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "core/disjoint_sets.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
+#include "geometries/sphere_kernel_3.h"
 
 namespace mesecina {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = Sphere_kernel_3;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
 using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
@@ -43,13 +45,20 @@ void sort_along_curve(const std::vector<Point_3>& points, std::vector<std::size_
 }
 
 /// Points at equal places become one with the balls of all of them.
-void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result) {
-  std::vector<int> order(vertices.points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](int i) {
-    const Point_3& p = vertices.points[i];
-    return std::tuple(p.x, p.y, p.z, i);
-  });
+void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Progress& progress) {
+  struct Place {
+    double x, y, z;
+    int vertex;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> places;
+  places.reserve(vertices.points.size());
+  for (const Point_3& p : vertices.points) places.push_back({p.x, p.y, p.z, static_cast<int>(places.size())});
+  parallel_region(progress, [&] { tbb::parallel_sort(places.begin(), places.end(), std::less<>()); });
+  std::vector<int> order;
+  order.reserve(places.size());
+  for (const Place& place : places) order.push_back(place.vertex);
+  places = {};
   std::vector<int> first(order.size());
   std::vector<std::vector<int>> others;
   std::vector<int> slot(order.size(), -1);
@@ -87,7 +96,7 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result) {
   }
 }
 
-void triangulate(Vertex_voronoi_3& result) {
+void triangulate(Vertex_voronoi_3& result, Progress& progress) {
   std::vector<std::pair<Kernel::Point_3, int>> points;
   points.reserve(result.points.size());
   for (const Point_3& p : result.points)
@@ -98,26 +107,28 @@ void triangulate(Vertex_voronoi_3& result) {
   if (triangulation.dimension() < 3) return;
   points = {};
   // By their least point, for the same reason.
-  const auto least_point = [](const auto& cell) {
-    int least = std::numeric_limits<int>::max();
+  std::vector<Triangulation::Cell_handle> handles;
+  handles.reserve(triangulation.tds().number_of_cells());
+  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
+    handles.push_back(cell);
+  std::vector<int> least(handles.size(), std::numeric_limits<int>::max());
+  parallel_for(handles.size(), progress, [&](std::size_t c) {
     for (int i = 0; i < 4; ++i)
-      if (const int point = cell->vertex(i)->info(); point >= 0) least = std::min(least, point);
-    return least;
-  };
+      if (const int point = handles[c]->vertex(i)->info(); point >= 0) least[c] = std::min(least[c], point);
+  });
   std::vector<int> next(result.points.size() + 1, 0);
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-    ++next[least_point(cell) + 1];
+  for (const int point : least) ++next[point + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  result.cells.resize(next.back());
-  result.neighbors.resize(next.back());
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-    cell->info() = next[least_point(cell)]++;
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
+  for (std::size_t c = 0; c < handles.size(); ++c) handles[c]->info() = next[least[c]]++;
+  result.cells.resize(handles.size());
+  result.neighbors.resize(handles.size());
+  parallel_for(handles.size(), progress, [&](std::size_t c) {
+    const auto cell = handles[c];
     for (int i = 0; i < 4; ++i) {
       result.cells[cell->info()][i] = cell->vertex(i)->info();
       result.neighbors[cell->info()][i] = cell->neighbor(i)->info();
     }
-  }
+  });
 }
 
 void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progress& progress) {
@@ -173,6 +184,9 @@ void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progres
     if (is_infinite(c) || result.ball_of_cell[c] >= 0) return;
     quality[c] = static_cast<float>(roundness(corners_of(c)));
     for (int i = 0; i < 4; ++i) {
+      const int across = result.neighbors[c][i];
+      // The other cell says it.
+      if (across < static_cast<int>(c) && !is_infinite(across) && result.ball_of_cell[across] < 0) continue;
       std::array<int, 3> facet{};
       for (int k = 0; k < 3; ++k) facet[k] = result.cells[c][(i + 1 + k) % 4];
       bool have_ball = false;
@@ -228,8 +242,8 @@ void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progres
 Vertex_voronoi_3 vertex_voronoi(const Union_vertices_3& vertices, Progress& progress) {
   progress.begin_stage("Voronoi diagram of the vertices of the union");
   Vertex_voronoi_3 result;
-  take_points(vertices, result);
-  triangulate(result);
+  take_points(vertices, result, progress);
+  triangulate(result, progress);
   progress.check();
   find_balls_of_cells(result, vertices.dual->regular->balls.size(), progress);
   label_cells(*vertices.dual, result, progress);

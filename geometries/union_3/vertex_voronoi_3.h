@@ -28,13 +28,17 @@ struct Vertex_voronoi_3 {
   std::span<const int> balls_of(int point) const {
     return std::span(balls).subspan(ball_offsets[point], ball_offsets[point + 1] - ball_offsets[point]);
   }
+  bool has_ball(int point, int ball) const {
+    // Nearly all points have three or four.
+    constexpr std::size_t few = 8;
+    const auto own = balls_of(point);
+    return own.size() <= few ? std::ranges::find(own, ball) != own.end() : std::ranges::binary_search(own, ball);
+  }
   /// Calls use(ball) for each ball that all these points have, ascending.
   template <class Use>
   void for_common_balls(std::span<const int> some, const Use& use) const {
-    for (const int ball : balls_of(some.front())) {
-      const auto has_it = [&](int point) { return std::ranges::binary_search(balls_of(point), ball); };
-      if (std::ranges::all_of(some.subspan(1), has_it)) use(ball);
-    }
+    for (const int ball : balls_of(some.front()))
+      if (std::ranges::all_of(some.subspan(1), [&](int point) { return has_ball(point, ball); })) use(ball);
   }
 };
 
