@@ -1,29 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "core/batch/batch.h"
 #include "core/batch/command_line.h"
 #include "geometries/modules_3.h"
+#ifdef MESECINA_WITH_WINDOW
+#include "layers/color_map.h"
+#include "layers/space_pictures.h"
+#endif
 
 namespace {
 
 constexpr const char* program = "mesecina3d";
 
+#ifdef MESECINA_WITH_WINDOW
+
+void add_pictures(mesecina::Formats& formats, std::vector<std::string>& color_maps) {
+  mesecina::add_space_picture_formats(formats);
+  for (const mesecina::Color_map& map : mesecina::color_maps()) color_maps.push_back(map.name());
+}
+
+/// Without what pictures need, everything else is computed and written all the same.
+int run_without_window(mesecina::Command_line command_line, const std::shared_ptr<const mesecina::Registry>& registry,
+                       const mesecina::Formats& formats) {
+  const auto png = std::ranges::find(command_line.formats, "png");
+  std::string reason;
+  if (png != command_line.formats.end()) reason = mesecina::reason_against_space_pictures();
+  if (!reason.empty()) {
+    std::cerr << program << ": no pictures: " << reason << '\n';
+    command_line.formats.erase(png);
+  }
+  const int code = mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
+  return reason.empty() || code != mesecina::exit_success ? code : mesecina::exit_some_failed;
+}
+
+int start_window(const mesecina::Command_line&) {
+  std::cerr << program << ": there is no window yet; compute and write files with --nogui. Try --help.\n";
+  return mesecina::exit_wrong_usage;
+}
+
+#else
+
+void add_pictures(mesecina::Formats&, std::vector<std::string>&) {}
+
+int run_without_window(const mesecina::Command_line& command_line,
+                       const std::shared_ptr<const mesecina::Registry>& registry, const mesecina::Formats& formats) {
+  return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
+}
+
+int start_window(const mesecina::Command_line&) {
+  std::cerr << program << ": this was built without windows; compute and write files with --nogui. Try --help.\n";
+  return mesecina::exit_wrong_usage;
+}
+
+#endif
+
 int run(int argc, char** argv) {
   const auto registry = mesecina::make_registry_3();
-  const mesecina::Formats formats = mesecina::spatial_formats();
-  const auto parsed = mesecina::parse_command_line(argc, argv, program, *registry, formats, {});
+  mesecina::Formats formats = mesecina::spatial_formats();
+  std::vector<std::string> color_maps;
+  add_pictures(formats, color_maps);
+  const auto parsed = mesecina::parse_command_line(argc, argv, program, *registry, formats, color_maps);
   if (const auto* exit = std::get_if<mesecina::Early_exit>(&parsed)) {
     (exit->code == mesecina::exit_success ? std::cout : std::cerr) << exit->text;
     return exit->code;
   }
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
-  if (command_line.nogui)
-    return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
-  std::cerr << program << ": there is no window yet; compute and write files with --nogui. Try --help.\n";
-  return mesecina::exit_wrong_usage;
+  if (command_line.nogui) return run_without_window(command_line, registry, formats);
+  return start_window(command_line);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ void Registry::add_layer(Layer_spec layer) {
   if (modules_.empty()) throw std::logic_error("layer '" + layer.id + "' belongs to no module");
   index_new(layer_index_, layers_, layer, "layer");
   module_index_["layer:" + layer.id] = modules_.size() - 1;
+  if (dimension_ == 3) layer.style.filled = true;
   layers_.push_back(std::move(layer));
 }
 

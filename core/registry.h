@@ -101,6 +101,7 @@ class Registry {
     }
     add(std::move(spec));
   }
+  /// In space areas are filled by default: outlines alone hide nothing and are hard to read.
   void add_layer(Layer_spec layer);
   void add_setting(Setting_spec setting);
 

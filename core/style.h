@@ -29,7 +29,11 @@ struct Style {
   /// Disks, triangles and polygons: inside painted; else their outline only. Closed curves of arcs: inside painted in
   /// `color` by the even-odd rule, all of them together, below their outlines.
   bool filled = false;
-  std::string value;  ///< the values that choose the colour; empty: `color` for all
+  bool edges = false;     ///< in space: filled triangles and polygons with their edges
+  bool vertices = false;  ///< in space: also points that are ends or corners of other primitives of the layer
+  bool smooth = false;    ///< in space: triangles and polygons shaded by normals of their vertices, not of their own
+  bool sliced = true;     ///< in space: only what the cutting plane leaves is drawn
+  std::string value;      ///< the values that choose the colour; empty: `color` for all
   std::string color_map = "viridis";
   bool color_map_reversed = false;
   std::optional<double> range_minimum;  ///< of the colour map; absent: smallest finite value

@@ -114,6 +114,111 @@ Gl_target::~Gl_target() {
   glDeleteTextures(1, &texture_);
 }
 
+Gl_table::Gl_table(const void* data, std::size_t bytes, int bytes_of_entry, unsigned format)
+    : count_(static_cast<int>(bytes / static_cast<std::size_t>(bytes_of_entry))), bytes_(bytes) {
+  int largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &largest);
+  if (count_ > largest)
+    throw std::runtime_error("a layer has " + std::to_string(count_) + " entries, this OpenGL takes at most " +
+                             std::to_string(largest));
+  glGenBuffers(1, &buffer_);
+  glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  glGenTextures(1, &texture_);
+  glBindTexture(GL_TEXTURE_BUFFER, texture_);
+  glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_);
+  glBindTexture(GL_TEXTURE_BUFFER, 0);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+Gl_table Gl_table::whole_numbers(std::span<const std::int32_t> data) {
+  return {data.data(), data.size_bytes(), 4 * sizeof(std::int32_t), GL_RGBA32I};
+}
+
+Gl_table Gl_table::quadruples(std::span<const float> data) {
+  return {data.data(), data.size_bytes(), 4 * sizeof(float), GL_RGBA32F};
+}
+
+Gl_table Gl_table::pairs(std::span<const float> data) {
+  return {data.data(), data.size_bytes(), 2 * sizeof(float), GL_RG32F};
+}
+
+Gl_table::~Gl_table() {
+  if (texture_) glDeleteTextures(1, &texture_);
+  if (buffer_) glDeleteBuffers(1, &buffer_);
+}
+
+Gl_table::Gl_table(Gl_table&& other) noexcept
+    : buffer_(std::exchange(other.buffer_, 0)),
+      texture_(std::exchange(other.texture_, 0)),
+      count_(other.count_),
+      bytes_(other.bytes_) {}
+
+Gl_table& Gl_table::operator=(Gl_table&& other) noexcept {
+  std::swap(buffer_, other.buffer_);
+  std::swap(texture_, other.texture_);
+  std::swap(count_, other.count_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+void Gl_table::bind(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+  glBindTexture(GL_TEXTURE_BUFFER, texture_);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+Gl_deep_target::Gl_deep_target(int width, int height, Format format) : width_(width), height_(height) {
+  const auto make = [&](unsigned internal, unsigned components, unsigned type) {
+    unsigned texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<int>(internal), width, height, 0, components, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+  };
+  switch (format) {
+    case Format::color:
+      texture_ = make(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+      break;
+    case Format::fine_color:
+      texture_ = make(GL_RGBA16F, GL_RGBA, GL_FLOAT);
+      break;
+    case Format::ids:
+      texture_ = make(GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT);
+      break;
+  }
+  depth_ = make(GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  int shown = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &shown);
+  glGenFramebuffers(1, &id_);
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+  const bool is_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(shown));
+  if (!is_complete) {
+    glDeleteFramebuffers(1, &id_);
+    glDeleteTextures(1, &texture_);
+    glDeleteTextures(1, &depth_);
+    throw std::runtime_error("OpenGL makes no picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                             " pixels with a depth");
+  }
+}
+
+Gl_deep_target::~Gl_deep_target() {
+  glDeleteFramebuffers(1, &id_);
+  glDeleteTextures(1, &texture_);
+  glDeleteTextures(1, &depth_);
+}
+
+void Gl_deep_target::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, id_);
+  glViewport(0, 0, width_, height_);
+}
+
 Gl_program::Gl_program(std::initializer_list<std::string_view> vertex,
                        std::initializer_list<std::string_view> fragment) {
   const unsigned vertex_shader = compile(GL_VERTEX_SHADER, vertex);
@@ -159,6 +264,12 @@ void Gl_program::set(std::string_view name, int value) { glUniform1i(location(na
 void Gl_program::set(std::string_view name, float value) { glUniform1f(location(name), value); }
 void Gl_program::set(std::string_view name, std::array<float, 2> value) {
   glUniform2fv(location(name), 1, value.data());
+}
+void Gl_program::set(std::string_view name, std::array<float, 3> value) {
+  glUniform3fv(location(name), 1, value.data());
+}
+void Gl_program::set_matrix(std::string_view name, const float* columns) {
+  glUniformMatrix4fv(location(name), 1, GL_FALSE, columns);
 }
 void Gl_program::set(std::string_view name, std::array<float, 4> value) {
   glUniform4fv(location(name), 1, value.data());

@@ -72,17 +72,6 @@ bool is_convex(const Primitive_set& set, std::size_t polygon) {
   return sign_changes <= 2;
 }
 
-/// Whether the same elements of one Primitive_set are drawn in the same colours, whatever their lines and opacity.
-bool has_same_colors(const Scene_layer& a, const Scene_layer& b) {
-  Style style = a.style;
-  style.visible = b.style.visible;
-  style.opacity = b.style.opacity;
-  style.point_size = b.style.point_size;
-  style.line_width = b.style.line_width;
-  style.filled = b.style.filled;
-  return a.cut == b.cut && style == b.style;
-}
-
 /// `view_reach` is half the diagonal of the picture in units of the plane.
 bool fits(const Window_2& window, const Point_2& center, double scale, double view_reach) {
   return scale <= window.largest_scale && scale >= window.largest_scale / (window_zoom_in * window_zoom_out) &&
@@ -95,38 +84,6 @@ Window_2 window_around(const Point_2& center, double scale, double view_reach) {
 }
 
 }  // namespace
-
-Element_numbers::Element_numbers(const std::vector<double>& values) {
-  double smallest = std::numeric_limits<double>::infinity();
-  double greatest = -smallest;
-  for (double value : values) {
-    if (!std::isnan(value)) sorted_.push_back(value);
-    if (!std::isfinite(value)) continue;
-    smallest = std::min(smallest, value);
-    greatest = std::max(greatest, value);
-  }
-  std::ranges::sort(sorted_);
-  sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
-  if (smallest <= greatest) {
-    base_ = smallest;
-    const double spread = greatest - smallest;
-    // Whole numbers stay whole unless they would not be exact.
-    if (std::isfinite(spread) && spread > 0 && (spread > 1e6 || spread < 1)) unit_ = spread;
-  }
-  pairs_.reserve(2 * values.size());
-  for (double value : values) {
-    pairs_.push_back(std::isnan(value) ? 0 : shown(value));
-    pairs_.push_back(std::isnan(value) ? -1 : lowest_rank(value));
-  }
-}
-
-float Element_numbers::lowest_rank(double limit) const {
-  return static_cast<float>(std::ranges::lower_bound(sorted_, limit) - sorted_.begin());
-}
-
-float Element_numbers::highest_rank(double limit) const {
-  return static_cast<float>(std::ranges::upper_bound(sorted_, limit) - sorted_.begin()) - 1;
-}
 
 Gl_primitives::Gl_primitives(const std::shared_ptr<const Primitive_set>& set) : set_(set) {
   const Box box = set->bounding_box();
@@ -205,27 +162,18 @@ const Gl_arc_fill& Gl_primitives::arc_fill(const Scene_layer& layer, const Point
   return buffers.fill;
 }
 
-const Element_numbers* Gl_primitives::numbers(const Primitive_set& set, const std::string& name) {
-  const auto known = numbers_.find(name);
-  if (known != numbers_.end()) return &known->second;
-  const Values* values = set.find_values(name);
-  if (!values || values->data.size() != set.element_count()) return nullptr;
-  return &numbers_.emplace(name, Element_numbers(values->data)).first->second;
-}
-
 unsigned Gl_primitives::number_buffer(const Primitive_set& set, Gl_batch& batch, const std::string& name) {
   const auto known = batch.numbers.find(name);
   if (known != batch.numbers.end()) return known->second.id();
   std::vector<float> data;
   data.reserve(2 * batch.instances.elements.size());
-  const Element_numbers* own = name.empty() ? nullptr : numbers(set, name);
+  const Element_numbers* own = name.empty() ? nullptr : numbers_.find(set, name);
   for (std::uint32_t element : batch.instances.elements) {
     if (own) {
       data.push_back(own->pairs()[2 * element]);
       data.push_back(own->pairs()[2 * element + 1]);
     } else {
-      const Color color = hashed_color(element);
-      data.push_back(static_cast<float>((color.red << 16) + (color.green << 8) + color.blue));
+      data.push_back(packed_color(element));
       data.push_back(0);
     }
   }
@@ -263,15 +211,6 @@ const std::vector<Polygon_run>& Gl_primitives::runs(const Scene_layer& layer, Gl
   batch.layer_of_runs = layer;
   batch.layer_of_runs->primitives.reset();
   return batch.runs;
-}
-
-const Value_range& Gl_primitives::range(const Scene_layer& layer) {
-  if (!range_ || !has_same_colors(range_layer_, layer)) {
-    range_ = value_range(layer);
-    range_layer_ = layer;
-    range_layer_.primitives.reset();
-  }
-  return *range_;
 }
 
 unsigned Gl_primitives::image(const Primitive_set& set) {

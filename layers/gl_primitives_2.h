@@ -8,35 +8,12 @@
 #include <vector>
 
 #include "core/style.h"
-#include "layers/color_map.h"
 #include "layers/gl_arc_fill_2.h"
 #include "layers/gl_geometry_2.h"
+#include "layers/gl_look.h"
 #include "layers/gl_objects.h"
 
 namespace mesecina {
-
-/// Values of a Primitive_set as the shaders take them. Comparisons are done between ranks, so that they come out as
-/// they would for the doubles.
-class Element_numbers {
- public:
-  explicit Element_numbers(const std::vector<double>& values);
-
-  /// A number as the shaders know it, in float precision relative to the spread of the values.
-  float shown(double value) const { return static_cast<float>((value - base_) / unit_); }
-  double base() const { return base_; }
-  double unit() const { return unit_; }
-  /// Ranks of the smallest value that is at least, and of the greatest that is at most, the limit.
-  float lowest_rank(double limit) const;
-  float highest_rank(double limit) const;
-  /// Number and rank of every element by turns.
-  const std::vector<float>& pairs() const { return pairs_; }
-
- private:
-  double base_ = 0;
-  double unit_ = 1;
-  std::vector<double> sorted_;
-  std::vector<float> pairs_;
-};
 
 /// A run of polygons that are filled together.
 struct Polygon_run {
@@ -97,15 +74,12 @@ class Gl_primitives {
   /// The area that the drawn arcs bound, for a view as above. It is uploaded anew when other arcs are drawn, and like
   /// the parts above when the view needs another window.
   const Gl_arc_fill& arc_fill(const Scene_layer& layer, const Point_2& center, double scale, double half_diagonal);
-  /// Null when the set has no values of this name.
-  const Element_numbers* numbers(const Primitive_set& set, const std::string& name);
+  Layer_numbers& numbers() { return numbers_; }
   /// Numbers and ranks per instance. `name` must be of values of the set, or "" for a colour of its own each.
   unsigned number_buffer(const Primitive_set& set, Gl_batch& batch, const std::string& name);
   /// For a batch of polygons: drawn ones that follow each other in one colour are one run. Computed again only when
   /// they may have changed.
   const std::vector<Polygon_run>& runs(const Scene_layer& layer, Gl_batch& batch);
-  /// As value_range(layer), computed again only when it may have changed.
-  const Value_range& range(const Scene_layer& layer);
   /// 0 when there is no image.
   unsigned image(const Primitive_set& set);
 
@@ -127,10 +101,8 @@ class Gl_primitives {
   Point_2 origin_;
   std::map<Part, Part_buffers> parts_;
   std::optional<Arc_fill_buffers> arc_fill_;
-  std::map<std::string, Element_numbers, std::less<>> numbers_;
+  Layer_numbers numbers_;
   std::optional<Gl_texture> image_;
-  Scene_layer range_layer_;
-  std::optional<Value_range> range_;
   std::size_t uploaded_bytes_ = 0;
 };
 

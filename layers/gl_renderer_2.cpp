@@ -6,24 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
-#include "layers/color_map.h"
+#include "layers/gl_look.h"
 #include "layers/gl_primitives_2.h"
 #include "layers/gl_shader_sources.h"
 
 namespace mesecina {
 
 namespace {
-
-constexpr Color missing_color{128, 128, 128};
-constexpr int interpolated_texels = 256;
-constexpr float no_limit = std::numeric_limits<float>::max();
-
-/// As in element.vert.
-enum class Color_rule { one_color, interpolated_map, stepped_map, classes_of_map, packed_colors };
 
 /// Attributes from this location on, of so many floats each.
 constexpr unsigned first_geometry_location = 3;
@@ -35,10 +27,6 @@ constexpr std::array triangle_sizes{4, 2};
 constexpr std::array far_circle_sizes{4, 4, 4, 1};
 constexpr std::array circular_segment_sizes{4, 3, 2};
 using Sizes = std::span<const int>;
-
-std::array<float, 4> to_floats(const Color& color, double alpha) {
-  return {color.red / 255.0F, color.green / 255.0F, color.blue / 255.0F, static_cast<float>(alpha)};
-}
 
 /// Into how many quadrilaterals the strip along a circle is divided. Its corners stand out from the circle by about
 /// r (pi / n)^2 / 2 pixels, two here. For small circles a square has fewer pixels to look at than many small pieces.
@@ -91,32 +79,20 @@ void paint_parity() {
   glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
 }
 
-struct Color_map_texture {
-  Gl_texture texture;
-  int texels = 0;
-};
-
-Color_map_texture make_color_map_texture(const Color_map& map) {
-  const bool stepped = map.rule() == Color_map::Rule::stepped;
-  const int count = stepped ? static_cast<int>(map.stops().size()) : interpolated_texels;
-  std::vector<std::uint8_t> rgb;
-  for (int i = 0; i < count; ++i) {
-    const Color color = stepped ? map.category(i) : map.lookup(static_cast<double>(i) / (count - 1));
-    rgb.insert(rgb.end(), {color.red, color.green, color.blue});
-  }
-  return {Gl_texture::line(rgb), count};
-}
-
 }  // namespace
 
 struct Gl_renderer_2::State {
-  Gl_program points{{shaders::element_vert, shaders::point_vert}, {shaders::coverage_frag, shaders::point_frag}};
-  Gl_program segments{{shaders::element_vert, shaders::segment_vert}, {shaders::coverage_frag, shaders::segment_frag}};
-  Gl_program circles{{shaders::element_vert, shaders::circle_vert}, {shaders::coverage_frag, shaders::circle_frag}};
-  Gl_program far_circles{{shaders::element_vert, shaders::far_circle_vert},
+  Gl_program points{{shaders::color_map_vert, shaders::element_vert, shaders::point_vert},
+                    {shaders::coverage_frag, shaders::point_frag}};
+  Gl_program segments{{shaders::color_map_vert, shaders::element_vert, shaders::segment_vert},
+                      {shaders::coverage_frag, shaders::segment_frag}};
+  Gl_program circles{{shaders::color_map_vert, shaders::element_vert, shaders::circle_vert},
+                     {shaders::coverage_frag, shaders::circle_frag}};
+  Gl_program far_circles{{shaders::color_map_vert, shaders::element_vert, shaders::far_circle_vert},
                          {shaders::coverage_frag, shaders::far_circle_frag}};
-  Gl_program triangles{{shaders::element_vert, shaders::triangle_vert}, {shaders::coverage_frag, shaders::flat_frag}};
-  Gl_program circular_segments{{shaders::element_vert, shaders::circular_segment_vert},
+  Gl_program triangles{{shaders::color_map_vert, shaders::element_vert, shaders::triangle_vert},
+                       {shaders::coverage_frag, shaders::flat_frag}};
+  Gl_program circular_segments{{shaders::color_map_vert, shaders::element_vert, shaders::circular_segment_vert},
                                {shaders::coverage_frag, shaders::flat_frag}};
   Gl_program covers{{shaders::cover_vert}, {shaders::coverage_frag, shaders::flat_frag}};
   Gl_program images{{shaders::cover_vert}, {shaders::image_frag}};
@@ -124,7 +100,7 @@ struct Gl_renderer_2::State {
   std::optional<Gl_target> disks;  ///< translucent ones of one layer, drawn opaque before they are painted together
 
   std::map<const Primitive_set*, Gl_primitives> primitives;
-  std::map<std::string, Color_map_texture, std::less<>> color_maps;
+  Color_map_textures color_maps;
   std::size_t other_bytes = 0;
 
   View_2 view;
@@ -136,33 +112,18 @@ struct Gl_renderer_2::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  /// What a layer's shaders are told about colour and selection; names of values are empty where there are none.
-  struct Look {
-    Color_rule rule = Color_rule::one_color;
-    std::string number;     ///< values whose number chooses the colour
-    std::string threshold;  ///< values whose rank is compared with the thresholds
-    std::string cut;
-    std::array<float, 2> threshold_ranks{-no_limit, no_limit};
-    float lowest_cut_rank = -no_limit;
-    std::array<float, 2> range{0, 1};
-    std::array<float, 2> class_of_number{1, 0};
-    const Color_map_texture* map = nullptr;
-  };
-
   void begin(const View_2& seen, const Frame& page);
   static void end();
   Gl_primitives& primitives_of(const std::shared_ptr<const Primitive_set>& set);
-  const Color_map_texture& texture_of(const Color_map& map);
-  Look look_of(const Scene_layer& layer, Gl_primitives& buffers);
   void draw_layer(const Scene_layer& layer);
   void draw_image(const Image& image, unsigned texture, double opacity);
-  void draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part);
-  void draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Gl_batch& batch);
-  void draw_disks_evenly(const Scene_layer& layer, const Look& look, Gl_primitives& buffers);
+  void draw_part(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers, Part part);
+  void draw_polygons(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers, Gl_batch& batch);
+  void draw_disks_evenly(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers);
   void draw_arc_fill(const Scene_layer& layer, Gl_primitives& buffers);
   void place_by(Gl_program& program, const Point_2& origin);
-  void begin_program(Gl_program& program, const Scene_layer& layer, const Look& look, const Point_2& origin);
-  void bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers, Gl_batch& batch, Sizes sizes,
+  void begin_program(Gl_program& program, const Scene_layer& layer, const Gl_look& look, const Point_2& origin);
+  void bind_batch(const Primitive_set& set, const Gl_look& look, Gl_primitives& buffers, Gl_batch& batch, Sizes sizes,
                   std::size_t first);
 };
 
@@ -176,52 +137,6 @@ Gl_primitives& Gl_renderer_2::State::primitives_of(const std::shared_ptr<const P
   return primitives.emplace(set.get(), Gl_primitives(set)).first->second;
 }
 
-const Color_map_texture& Gl_renderer_2::State::texture_of(const Color_map& map) {
-  const auto known = color_maps.find(map.name());
-  if (known != color_maps.end()) return known->second;
-  const auto made = color_maps.emplace(map.name(), make_color_map_texture(map)).first;
-  other_bytes += 3 * static_cast<std::size_t>(made->second.texels);
-  return made->second;
-}
-
-Gl_renderer_2::State::Look Gl_renderer_2::State::look_of(const Scene_layer& layer, Gl_primitives& buffers) {
-  const Primitive_set& set = *layer.primitives;
-  const Style& style = layer.style;
-  Look look;
-  if (layer.cut) {
-    if (const Element_numbers* cut = buffers.numbers(set, layer.cut->value)) {
-      look.cut = layer.cut->value;
-      look.lowest_cut_rank = cut->lowest_rank(layer.cut->minimum);
-    }
-  }
-  const Element_numbers* numbers = style.value.empty() ? nullptr : buffers.numbers(set, style.value);
-  if (!numbers) return look;
-  look.threshold = style.value;
-  if (style.threshold_minimum || style.threshold_maximum) {
-    look.threshold_ranks[0] = style.threshold_minimum ? numbers->lowest_rank(*style.threshold_minimum) : 0;
-    if (style.threshold_maximum) look.threshold_ranks[1] = numbers->highest_rank(*style.threshold_maximum);
-  }
-  const Color_map* map = find_color_map(style.color_map);
-  if (!map || map->rule() == Color_map::Rule::solid) return look;
-  if (map->rule() == Color_map::Rule::hashed) {
-    look.rule = Color_rule::packed_colors;
-    return look;
-  }
-  const Value_range& range = buffers.range(layer);
-  look.number = style.value;
-  look.map = &texture_of(*map);
-  look.range = {numbers->shown(range.minimum), numbers->shown(range.maximum)};
-  look.rule = Color_rule::interpolated_map;
-  if (map->rule() == Color_map::Rule::stepped) {
-    look.rule = range.whole_numbers ? Color_rule::classes_of_map : Color_rule::stepped_map;
-    const double count = look.map->texels;
-    double class_of_base = std::fmod(std::round(numbers->base()), count);
-    if (class_of_base < 0) class_of_base += count;
-    look.class_of_number = {static_cast<float>(numbers->unit()), static_cast<float>(class_of_base)};
-  }
-  return look;
-}
-
 void Gl_renderer_2::State::place_by(Gl_program& program, const Point_2& origin) {
   program.set("half_size", std::array{frame.width / 2.0F, frame.height / 2.0F});
   program.set("scale", static_cast<float>(scale));
@@ -229,29 +144,19 @@ void Gl_renderer_2::State::place_by(Gl_program& program, const Point_2& origin) 
                                    static_cast<float>((origin.y - view.center.y) * scale)});
 }
 
-void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer& layer, const Look& look,
+void Gl_renderer_2::State::begin_program(Gl_program& program, const Scene_layer& layer, const Gl_look& look,
                                          const Point_2& origin) {
   const Style& style = layer.style;
   program.use();
   place_by(program, origin);
-  program.set("threshold_ranks", look.threshold_ranks);
-  program.set("lowest_cut_rank", look.lowest_cut_rank);
-  program.set("color_rule", static_cast<int>(look.rule));
-  program.set("color", to_floats(style.color, style.opacity));
-  program.set("missing_color", to_floats(missing_color, style.opacity));
-  program.set("range", look.range);
-  program.set("reversed", style.color_map_reversed);
-  program.set("texels", look.map ? look.map->texels : 2);
-  program.set("class_of_number", look.class_of_number);
-  program.set("color_map", 0);
+  set_look(program, layer, look);
   program.set("filled", style.filled);
   program.set("half_width", static_cast<float>(style.line_width * frame.pixel_ratio / 2));
   program.set("point_radius", static_cast<float>(style.point_size * frame.pixel_ratio / 2));
   program.set("flat_ends", style.opacity < 1);
-  glBindTexture(GL_TEXTURE_1D, look.map ? look.map->texture.id() : 0);
 }
 
-void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Look& look, Gl_primitives& buffers,
+void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Gl_look& look, Gl_primitives& buffers,
                                       Gl_batch& batch, Sizes sizes, std::size_t first) {
   const auto scalar = [&](unsigned location, bool used, const std::string& name, std::size_t place) {
     if (used) {
@@ -267,7 +172,7 @@ void Gl_renderer_2::State::bind_batch(const Primitive_set& set, const Look& look
   bind_geometry(batch.geometry.id(), sizes, first);
 }
 
-void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Look& look, Gl_primitives& buffers,
+void Gl_renderer_2::State::draw_polygons(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers,
                                          Gl_batch& batch) {
   const Primitive_set& set = *layer.primitives;
   begin_program(triangles, layer, look, batch.instances.origin);
@@ -314,7 +219,7 @@ void Gl_renderer_2::State::draw_arc_fill(const Scene_layer& layer, Gl_primitives
   glDisable(GL_STENCIL_TEST);
 }
 
-void Gl_renderer_2::State::draw_disks_evenly(const Scene_layer& layer, const Look& look, Gl_primitives& buffers) {
+void Gl_renderer_2::State::draw_disks_evenly(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers) {
   int shown = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &shown);
   if (!disks || disks->width() != frame.width || disks->height() != frame.height)
@@ -336,7 +241,7 @@ void Gl_renderer_2::State::draw_disks_evenly(const Scene_layer& layer, const Loo
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Look& look, Gl_primitives& buffers, Part part) {
+void Gl_renderer_2::State::draw_part(const Scene_layer& layer, const Gl_look& look, Gl_primitives& buffers, Part part) {
   const Primitive_set& set = *layer.primitives;
   const double half_diagonal =
       std::hypot(frame.width, frame.height) / 2 + (layer.style.line_width + layer.style.point_size) * frame.pixel_ratio;
@@ -417,7 +322,7 @@ void Gl_renderer_2::State::draw_layer(const Scene_layer& layer) {
   const Primitive_set& set = *layer.primitives;
   Gl_primitives& buffers = primitives_of(layer.primitives);
   if (const unsigned texture = buffers.image(set)) draw_image(*set.image, texture, style.opacity);
-  const Look look = look_of(layer, buffers);
+  const Gl_look look = look_of(layer, buffers.numbers(), color_maps);
   const Part polygon_part = style.filled ? Part::polygons : Part::polygon_edges;
   const Part triangle_part = style.filled ? Part::triangles : Part::triangle_edges;
   const bool are_disks_united = style.filled && style.opacity < 1 && look.rule == Color_rule::one_color;
@@ -502,7 +407,7 @@ void Gl_renderer_2::draw_over(std::span<const Scene_layer> layers, const View_2&
 }
 
 std::size_t Gl_renderer_2::uploaded_bytes() const {
-  std::size_t sum = state_->other_bytes;
+  std::size_t sum = state_->other_bytes + state_->color_maps.uploaded_bytes();
   for (const auto& [set, buffers] : state_->primitives) sum += buffers.uploaded_bytes();
   return sum;
 }

@@ -37,7 +37,9 @@ std::string size_text(std::int64_t width, std::int64_t height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-void check_size(const std::filesystem::path& file, int width, int height) {
+}  // namespace
+
+void check_picture_size(const std::filesystem::path& file, int width, int height) {
   if (width <= 0 || height <= 0)
     throw File_error(file, 0, "expected a picture of at least 1 x 1 pixels, found " + size_text(width, height));
   if (std::int64_t{width} * height > most_pixels)
@@ -52,6 +54,8 @@ std::string png_bytes(const QImage& picture) {
   if (!picture.save(&buffer, "PNG")) return {};
   return bytes.toStdString();
 }
+
+namespace {
 
 QString to_qt(const std::filesystem::path& file) { return QString::fromStdU16String(file.u16string()); }
 
@@ -95,19 +99,19 @@ File_contents read_image(const std::filesystem::path& file) {
 }
 
 void write_svg_file(const std::filesystem::path& file, const Scene& scene, const View_2& view, int width, int height) {
-  check_size(file, width, height);
+  check_picture_size(file, width, height);
   write_file(file, [&](std::ostream& out) { write_svg(out, scene, view, width, height, encode_png); });
 }
 
 void write_png_file(const std::filesystem::path& file, const Scene& scene, const View_2& view, int width, int height) {
-  check_size(file, width, height);
+  check_picture_size(file, width, height);
   const std::string bytes = png_bytes(paint_picture(scene, view, width, height));
   if (bytes.empty()) throw File_error(file, 0, "no memory for a picture of " + size_text(width, height));
   write_file(file, [&](std::ostream& out) { out << bytes; });
 }
 
 void write_pdf_file(const std::filesystem::path& file, const Scene& scene, const View_2& view, int width, int height) {
-  check_size(file, width, height);
+  check_picture_size(file, width, height);
   const std::string bytes = pdf_bytes(scene, view, width, height);
   write_file(file, [&](std::ostream& out) { out << bytes; });
 }

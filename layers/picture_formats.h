@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -35,6 +36,12 @@ void add_picture_formats(Formats& formats);
 /// What the png writer writes: antialiased, with colour bars, transparent where the scene asks for it. A
 /// QGuiApplication must exist when the scene has colour bars. A null image when there is no memory for it.
 QImage paint_picture(const Scene& scene, const View_2& view, int width, int height);
+
+/// Throws File_error for a picture without pixels or of more than 100 megapixels.
+void check_picture_size(const std::filesystem::path& file, int width, int height);
+
+/// PNG bytes of the picture; empty when it is null.
+std::string png_bytes(const QImage& picture);
 
 /// PNG bytes of the image.
 std::string encode_png(const Image& image);

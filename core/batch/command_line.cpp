@@ -111,13 +111,25 @@ std::pair<int, int> read_size(const std::string& text) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
-View_2 read_view(const std::filesystem::path& file, int width, int height) {
+std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw Usage_error("--view " + file.string() + ": cannot be read; give a view file or 'fit'");
   std::stringstream buffer;
   buffer << stream.rdbuf();
-  const std::string text = buffer.str();
+  return buffer.str();
+}
+
+View_3 read_view_3(const std::filesystem::path& file) {
+  try {
+    return parse_view_3(read_text(file));
+  } catch (const std::invalid_argument& error) {
+    throw Usage_error("--view " + file.string() + ": " + error.what());
+  }
+}
+
+/// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
+View_2 read_view(const std::filesystem::path& file, int width, int height) {
+  const std::string text = read_text(file);
   View_2 view;
   if (const auto start = text.find_first_not_of(" \t\r\n"); start != std::string::npos && text[start] == '{') {
     try {
@@ -152,10 +164,14 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
                                                           const std::vector<std::string>& color_maps) {
   Command_line result;
   CLI::App app(
-      "Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their filtrations.\n"
-      "With files, opens them in a window; with --nogui, computes and writes without one.\n"
-      "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage, 130 stopped by "
-      "SIGINT or SIGTERM (--resume goes on).",
+      (registry.dimension() == 3
+           ? std::string(
+                 "Explore geometric structures in space: unions of balls, medial axes, scale axes and surfaces.\n")
+           : std::string("Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their "
+                         "filtrations.\n")) +
+          "With files, opens them in a window; with --nogui, computes and writes without one.\n"
+          "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage, 130 stopped by "
+          "SIGINT or SIGTERM (--resume goes on).",
       program);
   app.set_version_flag("--version", program + " " MESECINA_VERSION);
   std::vector<std::string> files;
@@ -184,6 +200,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->capture_default_str();
   app.add_option("--size", size, "Size of pictures in pixels, WIDTHxHEIGHT")->capture_default_str();
   app.add_option("--view", view, "View of pictures: a view file, or 'fit'")->capture_default_str();
+  app.add_flag("--transparent", result.transparent_background, "Pictures have no background");
   app.add_option("--stats", stats,
                  "Write one JSON object per input and line: counts, seconds per stage, memory, warnings. Without a "
                  "file: DIRECTORY OF --output/stats.jsonl. And a table, summary.csv, in that directory")
@@ -224,7 +241,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     result.styles = read_styles(result.style_changes, registry, color_maps);
     if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);
-    if (view != "fit") result.view = read_view(view, result.width, result.height);
+    if (view != "fit" && registry.dimension() == 3) result.view_3 = read_view_3(view);
+    if (view != "fit" && registry.dimension() == 2) result.view = read_view(view, result.width, result.height);
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;

@@ -35,7 +35,9 @@ struct Command_line {
   std::vector<std::string> formats = {"json"};
   int width = 1200;  ///< of pictures, in pixels
   int height = 900;
-  std::optional<View_2> view;  ///< absent: fit
+  std::optional<View_2> view;           ///< in the plane; absent: fit
+  std::optional<View_3> view_3;         ///< in space; absent: fit
+  bool transparent_background = false;  ///< of pictures
   std::optional<std::filesystem::path> stats;
   int jobs = 1;
   bool resume = false;

@@ -73,6 +73,8 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
   json["size"] = {command_line_.width, command_line_.height};
   if (command_line_.view)
     json["view"] = {command_line_.view->center.x, command_line_.view->center.y, command_line_.view->scale};
+  if (command_line_.view_3) json["view"] = to_json(*command_line_.view_3);
+  json["transparent"] = command_line_.transparent_background;
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
   json["styles"] = command_line_.style_changes;
@@ -155,12 +157,17 @@ void Input_runner::write_pictures(const fs::path& file, const Scene& scene, cons
   for (const std::string& name : command_line_.formats) {
     const Picture_writer* writer = formats_.find_picture_writer(name);
     if (!writer) continue;
-    const View_2 view =
-        command_line_.view ? *command_line_.view : fit_view(box, command_line_.width, command_line_.height);
+    const int width = command_line_.width;
+    const int height = command_line_.height;
+    const fs::path path = folder_.unfinished(file, picture_suffix(writer->extension));
     // Picture formats share one application's fonts and need not be safe for several threads.
     const std::lock_guard lock(picture_mutex_);
-    writer->write(folder_.unfinished(file, picture_suffix(writer->extension)), scene, view, command_line_.width,
-                  command_line_.height);
+    if (writer->write_3) {
+      writer->write_3(path, scene, command_line_.view_3.value_or(View_3{fit_camera(box, width, height), {}}), width,
+                      height);
+    } else {
+      writer->write(path, scene, command_line_.view.value_or(fit_view(box, width, height)), width, height);
+    }
   }
 }
 

@@ -27,6 +27,7 @@ Scene make_scene(const Registry& registry, const Command_line& command_line,
       if (std::ranges::find(ids, layer.id) != ids.end()) add(layer);
   }
   Scene scene;
+  scene.transparent_background = command_line.transparent_background;
   for (const Layer_spec* layer : layers) {
     const auto changed = command_line.styles.find(layer->id);
     Scene_layer entry{layer->id, layer->label, primitives(layer->id), registry.cut(*layer, command_line.settings),

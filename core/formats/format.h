@@ -14,6 +14,7 @@
 #include "core/primitives.h"
 #include "core/settings.h"
 #include "core/style.h"
+#include "core/view_3.h"
 
 namespace mesecina {
 
@@ -61,6 +62,8 @@ struct Picture_writer {
   std::string extension;
   std::string help;
   std::function<void(const std::filesystem::path&, const Scene&, const View_2&, int width, int height)> write;
+  /// The same of a scene in space. A format of a program has one of the two.
+  std::function<void(const std::filesystem::path&, const Scene&, const View_3&, int width, int height)> write_3 = {};
 };
 
 /// Writes inputs back, losslessly: reading the file gives equal inputs. (Only the order of an outline's rings may
