@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/outcome.h"
+#include "geometries/spatial_order_3.h"
 
 namespace mesecina {
 
@@ -68,15 +69,27 @@ void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& b
 Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
   if (balls.empty()) throw Unavailable("there are no balls");
   progress.begin_stage("regular triangulation");
-  std::vector<std::pair<Weighted_point, int>> points;
-  points.reserve(balls.size());
-  for (const int i : first_of_each_center(balls)) {
-    const auto& [c, r] = balls[i];
-    points.emplace_back(Weighted_point({c.x, c.y, c.z}, r * r), i);
-  }
+  const std::vector<int> kept = first_of_each_center(balls);
+  std::vector<Point_3> centers;
+  centers.reserve(kept.size());
+  for (const int i : kept) centers.push_back(balls[i].center);
   Triangulation triangulation;
   triangulation.infinite_vertex()->info() = infinite;
-  triangulation.insert(points.begin(), points.end());
+  Triangulation::Cell_handle last;
+  std::size_t inserted = 0;
+  for (const std::size_t i : insertion_order(centers)) {
+    constexpr std::size_t often = 1024;
+    if (++inserted % often == 0) progress.report(static_cast<double>(inserted) / static_cast<double>(kept.size()));
+    const auto& [c, r] = balls[kept[i]];
+    const Weighted_point point({c.x, c.y, c.z}, r * r);
+    Triangulation::Locate_type type{};
+    int at = 0;
+    int other = 0;
+    const auto cell = triangulation.locate(point, type, at, other, last);
+    const auto vertex = triangulation.insert(point, type, cell, at, other);
+    last = vertex != Triangulation::Vertex_handle() ? vertex->cell() : cell;
+    if (vertex != Triangulation::Vertex_handle()) vertex->info() = kept[i];
+  }
   progress.check();
   if (triangulation.dimension() < 3) add_surroundings(triangulation, balls);
 

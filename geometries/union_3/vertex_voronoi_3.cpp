@@ -2,11 +2,8 @@
 #include "geometries/union_3/vertex_voronoi_3.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -21,6 +18,7 @@
 #include "core/disjoint_sets.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
+#include "geometries/spatial_order_3.h"
 #include "geometries/sphere_kernel_3.h"
 
 namespace mesecina {
@@ -33,16 +31,6 @@ using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Triangulation =
     CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
-
-/// So that what is near in space is near in memory.
-void sort_along_curve(const std::vector<Point_3>& points, std::vector<std::size_t>& indices) {
-  if (points.empty()) return;
-  std::vector<Kernel::Point_3> places;
-  places.reserve(points.size());
-  for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
-  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>;
-  CGAL::hilbert_sort(indices.begin(), indices.end(), Traits(CGAL::make_property_map(std::as_const(places))));
-}
 
 /// Points at equal places become one with the balls of all of them.
 void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Progress& progress) {
@@ -76,7 +64,7 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Pro
   std::vector<std::size_t> kept;
   for (std::size_t v = 0; v < first.size(); ++v)
     if (first[v] == static_cast<int>(v)) kept.push_back(v);
-  sort_along_curve(vertices.points, kept);
+  sort_along_hilbert_curve(vertices.points, kept);
   result.ball_offsets.push_back(0);
   for (const std::size_t v : kept) {
     result.points.push_back(vertices.points[v]);
@@ -97,15 +85,18 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Pro
 }
 
 void triangulate(Vertex_voronoi_3& result, Progress& progress) {
-  std::vector<std::pair<Kernel::Point_3, int>> points;
-  points.reserve(result.points.size());
-  for (const Point_3& p : result.points)
-    points.emplace_back(Kernel::Point_3(p.x, p.y, p.z), static_cast<int>(points.size()));
   Triangulation triangulation;
   triangulation.infinite_vertex()->info() = -1;
-  triangulation.insert(points.begin(), points.end());
+  Triangulation::Vertex_handle last;
+  std::size_t count = 0;
+  for (const std::size_t i : insertion_order(result.points)) {
+    constexpr std::size_t often = 1024;
+    if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(result.points.size()));
+    const Point_3& p = result.points[i];
+    last = triangulation.insert(Kernel::Point_3(p.x, p.y, p.z), last);
+    last->info() = static_cast<int>(i);
+  }
   if (triangulation.dimension() < 3) return;
-  points = {};
   // By their least point, for the same reason.
   std::vector<Triangulation::Cell_handle> handles;
   handles.reserve(triangulation.tds().number_of_cells());

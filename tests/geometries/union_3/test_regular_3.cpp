@@ -3,8 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <string_view>
 
+#include "core/outcome.h"
+#include "geometries/scatter.h"
 #include "geometries/union_3/regular_3.h"
+#include "geometries/union_3/union_3.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/ball_sets.h"
 #include "tests/geometries/union_3/power_oracle_3.h"
@@ -120,6 +127,35 @@ testing::AssertionResult locates(const std::vector<Ball_3>& balls) {
     }
   }
   return testing::AssertionSuccess();
+}
+
+/// Stops when it hears of the middle of a stage; says which one that was.
+std::string stage_stopped_midway(const std::vector<Ball_3>& balls, std::string_view wanted) {
+  std::stop_source stop;
+  std::string stopped_at;
+  Progress progress(stop.get_token(), [&](std::string_view stage, double fraction) {
+    constexpr double early = 0.3;
+    constexpr double late = 0.7;
+    if (stage != wanted || fraction < early || fraction > late) return;
+    stopped_at = stage;
+    stop.request_stop();
+  });
+  try {
+    const auto regular = std::make_shared<const Regular_3>(regular_triangulation(balls, progress));
+    const auto dual = std::make_shared<const Dual_3>(dual_complex(regular, progress));
+    union_medial_axis(union_vertices(dual, progress), progress);
+  } catch (const Cancelled&) {
+    return stopped_at;
+  }
+  return {};
+}
+
+TEST(Regular_3, and_what_is_made_of_it_stops_midway) {
+  std::vector<Ball_3> balls;
+  for (int i = 0; i < 8000; ++i)
+    balls.push_back({{scattered(3 * i), scattered(3 * i + 1), scattered(3 * i + 2)}, 0.08 + 0.02 * scattered(-i)});
+  for (const char* stage : {"regular triangulation", "Voronoi diagram of the vertices of the union"})
+    EXPECT_EQ(stage_stopped_midway(balls, stage), stage);
 }
 
 TEST(Regular_3, locates_points) { expect_of_balls(repetitions(40), locates); }
