@@ -2,12 +2,9 @@
 #include "core/batch/batch.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <cstdlib>
+#include <csignal>
 #include <fstream>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
@@ -18,6 +15,7 @@
 #include "core/batch/messages.h"
 #include "core/batch/stop_signals.h"
 #include "core/batch/summary.h"
+#include "core/batch/worker_pool.h"
 
 namespace mesecina {
 
@@ -25,6 +23,27 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+
+/// What a worker says of an input.
+struct Answer {
+  enum class Kind { computed, failed, found, short_of_memory, cancelled };
+  Kind kind = Kind::computed;
+  std::string reason;  ///< of a failure
+  std::vector<std::string> warnings;
+  std::string statistics;  ///< a line without a newline; empty if they are not wanted
+};
+
+std::string to_bytes(const Answer& answer) {
+  // Texts may quote files, so they need not be UTF-8; this format takes any bytes.
+  std::string bytes;
+  nlohmann::json::to_msgpack({static_cast<int>(answer.kind), answer.reason, answer.warnings, answer.statistics}, bytes);
+  return bytes;
+}
+
+Answer answer_of(const std::string& bytes) {
+  const auto json = nlohmann::json::from_msgpack(bytes);
+  return {static_cast<Answer::Kind>(json.at(0).get<int>()), json.at(1), json.at(2), json.at(3)};
+}
 
 /// One run of the batch: what is the same for all inputs.
 class Batch {
@@ -45,16 +64,16 @@ class Batch {
 
   bool refuse(const std::string& reason);
   bool prepare();
-  void compute_all(const Indices& indices, int jobs);
-  void process(std::size_t index, int jobs);
-  void finish(std::size_t index, const Input_statistics& statistics);
-  void finish_found(std::size_t index, const std::string& record);
+  void compute_all(const Indices& indices, int jobs, const Stop_signals& signals);
+  Answer compute(std::size_t index, std::stop_token stop);
+  void finish(const Worker_pool::Done& done, bool is_alone);
+  void finish(std::size_t index, const Answer& answer, bool is_alone);
+  void fail(std::size_t index, const std::string& reason);
   void note(std::size_t index, State state, std::string line);
   std::string progress_text() const;
   void flush_statistics();
   bool write_tables();
   int interrupted();
-  [[noreturn]] void leave_behind();
 
   const Command_line& command_line_;
   Messages messages_;
@@ -64,14 +83,11 @@ class Batch {
   const std::vector<fs::path>& files_;
   int cores_ = 1;
 
-  std::mutex mutex_;  ///< of all below
-  std::condition_variable changed_;
-  std::stop_source stop_;
-  int running_ = 0;
   std::vector<Row> rows_;
   std::size_t next_line_ = 0;  ///< of the statistics
   std::ofstream stats_;
   Indices alone_;  ///< to be computed at the end, without others
+  bool is_stopped_ = false;
   std::size_t done_ = 0;
   std::size_t failed_ = 0;
   Time_left time_left_{0};
@@ -120,94 +136,130 @@ bool Batch::prepare() {
   return true;
 }
 
-/// On a number of threads. Returns when all are computed, or have stopped because they were asked to.
-void Batch::compute_all(const Indices& indices, int jobs) {
+/// In a number of processes. Returns when all are computed, or have stopped because they were asked to.
+void Batch::compute_all(const Indices& indices, int jobs, const Stop_signals& signals) {
+  if (indices.empty() || is_stopped_) return;
   jobs = static_cast<int>(std::min(static_cast<std::size_t>(jobs), indices.size()));
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < indices.size() && !stop_.stop_requested(); i = next++) process(indices[i], jobs);
-    const std::lock_guard lock(mutex_);
-    --running_;
-    changed_.notify_all();
-  };
-  running_ = jobs;
-  std::vector<std::jthread> workers;
-  workers.reserve(static_cast<std::size_t>(jobs));
-  for (int j = 0; j < jobs; ++j) workers.emplace_back(work);
-  std::unique_lock lock(mutex_);
-  const auto is_over = [&] { return running_ == 0; };
-  changed_.wait(lock, [&] { return is_over() || stop_.stop_requested(); });
-  constexpr std::chrono::seconds patience{1};
-  if (!changed_.wait_for(lock, patience, is_over)) leave_behind();
-}
-
-void Batch::process(std::size_t index, int jobs) {
-  const fs::path& file = files_[index];
-  if (command_line_.resume) {
-    if (const auto record = runner_.find_complete(file)) {
-      finish_found(index, *record);
-      return;
+  Worker_pool workers(
+      jobs, {[this](std::size_t index, std::stop_token stop) { return to_bytes(compute(index, std::move(stop))); },
+             [this] { folder_.close(); }});
+  for (auto next = indices.begin();;) {
+    while (!is_stopped_ && next != indices.end() && workers.has_idle()) workers.give(*next++);
+    if (!workers.has_busy()) return;
+    if (const auto done = workers.wait(is_stopped_ ? -1 : signals.descriptor())) {
+      finish(*done, jobs == 1);
+    } else {
+      is_stopped_ = true;
+      workers.stop();
     }
   }
+}
+
+/// In the process of a worker.
+Answer Batch::compute(std::size_t index, std::stop_token stop) {
+  const fs::path& file = files_[index];
+  Answer answer;
   try {
+    if (command_line_.resume) {
+      if (auto record = runner_.find_complete(file)) {
+        answer.kind = Answer::Kind::found;
+        answer.statistics = std::move(*record);
+        return answer;
+      }
+    }
     const int threads =
         command_line_.threads > 0 ? command_line_.threads : std::max(1, cores_ / std::max(1, command_line_.jobs));
-    finish(index, runner_.compute(file, threads, stop_.get_token()));
+    Input_statistics statistics = runner_.compute(file, threads, std::move(stop));
+    if (statistics.failed) answer.kind = Answer::Kind::failed;
+    answer.reason = statistics.reason;
+    if (command_line_.stats) answer.statistics = to_json_line(statistics);
+    if (!answer.statistics.empty()) answer.statistics.pop_back();
+    answer.warnings = std::move(statistics.warnings);
   } catch (const Cancelled&) {
-    return;
+    answer.kind = Answer::Kind::cancelled;
   } catch (const std::bad_alloc&) {
-    if (jobs > 1) {
-      messages_.say(Log_level::info, file.string() + ": not enough memory beside others; tried again at the end");
-      const std::lock_guard lock(mutex_);
-      alone_.push_back(index);
-      return;
+    answer.kind = Answer::Kind::short_of_memory;
+  }
+  return answer;
+}
+
+void Batch::finish(const Worker_pool::Done& done, bool is_alone) {
+  if (done.answer) {
+    finish(done.task, answer_of(*done.answer), is_alone);
+    return;
+  }
+  folder_.discard(files_[done.task]);
+  if (is_stopped_) return;
+  // So does the kernel, to whoever uses most, when memory runs out.
+  if (done.signal == SIGKILL && !is_alone) {
+    Answer answer;
+    answer.kind = Answer::Kind::short_of_memory;
+    finish(done.task, answer, is_alone);
+    return;
+  }
+  const std::string what = done.signal == 0         ? "the process ended"
+                           : done.signal == SIGKILL ? "the process was killed, as happens when memory runs out"
+                                                    : "the program crashed";
+  const std::string how = done.signal == 0 ? "" : " (signal " + std::to_string(done.signal) + ")";
+  fail(done.task, what + how + " while it computed this");
+}
+
+void Batch::finish(std::size_t index, const Answer& answer, bool is_alone) {
+  const std::string file = files_[index].string();
+  switch (answer.kind) {
+    case Answer::Kind::computed:
+      // A reader's warning names its file already.
+      for (const std::string& warning : answer.warnings)
+        messages_.say(Log_level::warning, (warning.starts_with(file) ? "" : file + ": ") + warning);
+      note(index, State::computed, answer.statistics);
+      break;
+    case Answer::Kind::failed:
+      messages_.say(Log_level::error, answer.reason);
+      note(index, State::failed, answer.statistics);
+      break;
+    case Answer::Kind::found: {
+      std::string line;
+      if (command_line_.stats) {
+        auto json = nlohmann::ordered_json::parse(answer.statistics);
+        json["input"] = file;
+        line = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      }
+      messages_.say(Log_level::info, file + ": results are complete; skipped");
+      note(index, State::found, std::move(line));
+      break;
     }
-    Input_statistics statistics;
-    statistics.input = file.string();
-    statistics.failed = true;
-    statistics.reason = file.string() + ": not enough memory";
-    finish(index, statistics);
+    case Answer::Kind::short_of_memory:
+      if (is_alone) {
+        fail(index, "not enough memory");
+      } else {
+        messages_.say(Log_level::info, file + ": not enough memory beside others; tried again at the end");
+        alone_.push_back(index);
+      }
+      break;
+    case Answer::Kind::cancelled:
+      break;
   }
 }
 
-void Batch::finish(std::size_t index, const Input_statistics& statistics) {
-  if (statistics.failed) {
-    messages_.say(Log_level::error, statistics.reason);
-  } else {
-    // A reader's warning names its file already.
-    for (const std::string& warning : statistics.warnings)
-      messages_.say(Log_level::warning,
-                    (warning.starts_with(statistics.input) ? "" : statistics.input + ": ") + warning);
-  }
+void Batch::fail(std::size_t index, const std::string& reason) {
+  Input_statistics statistics;
+  statistics.input = files_[index].string();
+  statistics.failed = true;
+  statistics.reason = statistics.input + ": " + reason;
+  messages_.say(Log_level::error, statistics.reason);
   std::string line = command_line_.stats ? to_json_line(statistics) : std::string();
   if (!line.empty()) line.pop_back();
-  note(index, statistics.failed ? State::failed : State::computed, std::move(line));
-}
-
-void Batch::finish_found(std::size_t index, const std::string& record) {
-  std::string line;
-  if (command_line_.stats) {
-    auto json = nlohmann::ordered_json::parse(record);
-    json["input"] = files_[index].string();
-    line = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  }
-  messages_.say(Log_level::info, files_[index].string() + ": results are complete; skipped");
-  note(index, State::found, std::move(line));
+  note(index, State::failed, std::move(line));
 }
 
 void Batch::note(std::size_t index, State state, std::string line) {
-  std::string progress;
-  {
-    const std::lock_guard lock(mutex_);
-    rows_[index].state = state;
-    rows_[index].statistics = std::move(line);
-    ++done_;
-    if (state == State::failed) ++failed_;
-    time_left_.count(rows_[index].bytes, state == State::computed);
-    flush_statistics();
-    progress = progress_text();
-  }
-  messages_.show_progress(progress);
+  rows_[index].state = state;
+  rows_[index].statistics = std::move(line);
+  ++done_;
+  if (state == State::failed) ++failed_;
+  time_left_.count(rows_[index].bytes, state == State::computed);
+  flush_statistics();
+  messages_.show_progress(progress_text());
 }
 
 std::string Batch::progress_text() const {
@@ -257,21 +309,9 @@ int Batch::interrupted() {
   return exit_interrupted;
 }
 
-/// Some computations take long to notice that they shall stop. What they do is lost in any case, so nobody waits.
-void Batch::leave_behind() {
-  folder_.close();
-  for (std::size_t i = 0; i < files_.size(); ++i)
-    if (rows_[i].state == State::waiting) folder_.discard(files_[i]);
-  std::_Exit(interrupted());
-}
-
 int Batch::run() {
   if (!prepare()) return exit_wrong_usage;
-  const Stop_signals signals([this] {
-    const std::lock_guard lock(mutex_);
-    stop_.request_stop();
-    changed_.notify_all();
-  });
+  const Stop_signals signals;
   Indices indices;
   for (std::size_t i = 0; i < files_.size(); ++i) {
     const bool has_ended_a_run = command_line_.resume && folder_.is_begun(files_[i]);
@@ -280,8 +320,8 @@ int Batch::run() {
                     files_[i].string() + ": an earlier run was killed while it computed this; now it comes last");
     (has_ended_a_run ? alone_ : indices).push_back(i);
   }
-  compute_all(indices, command_line_.jobs);
-  compute_all(std::exchange(alone_, {}), 1);
+  compute_all(indices, command_line_.jobs, signals);
+  compute_all(std::exchange(alone_, {}), 1, signals);
   if (done_ < files_.size()) return interrupted();
   messages_.end_progress();
   if (!write_tables()) return exit_some_failed;

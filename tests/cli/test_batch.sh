@@ -164,6 +164,22 @@ for signal in KILL SEGV; do
   expect_only_complete killed
 done
 
+# A process that crashes: its shape fails, with the reason, and no other.
+start crashed
+worker=$(sed -n "s/^\([0-9]*\) (.*) [A-Z] $pid .*/\1/p" /proc/[0-9]*/stat 2>/dev/null | head -n 1 || true)
+[ -n "$worker" ] || fail "expected the run to have processes that compute"
+kill -SEGV "$worker"
+end_of_run
+expect_status 1
+expect_only_complete crashed
+[ "$complete" -eq 7 ] || fail "expected the seven other shapes"
+expect_lines stderr 1
+grep -qE "^$(basename "$program"): shape[1-8]\.$extension: the program crashed \(signal 11\) while it computed this$" stderr ||
+  fail "expected the crash to be told"
+[ "$(grep -cE "^shape[1-8]\.$extension,failed,[^,]*crashed \(signal 11\)" crashed/summary.csv)" -eq 1 ] ||
+  fail "expected one row of a failure"
+expect_resumes crashed
+
 # ---- Progress: lines where they are asked for, and on a terminal one line that is written over.
 run --nogui "${shapes[@]:0:3}" bad.$extension "${arguments[@]}" --output lines --log info
 expect_status 1

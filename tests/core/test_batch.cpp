@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -55,8 +60,25 @@ void wait_until(const std::function<bool()>& is_so) {
   while (!is_so()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+/// A number that all processes of a test see.
+class Shared_number {
+ public:
+  Shared_number() {
+    void* memory = mmap(nullptr, sizeof(std::atomic<int>), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    number_ = ::new (memory) std::atomic<int>(0);
+  }
+  ~Shared_number() { munmap(number_, sizeof(std::atomic<int>)); }
+  Shared_number(const Shared_number&) = delete;
+  Shared_number& operator=(const Shared_number&) = delete;
+  std::atomic<int>& operator*() { return *number_; }
+
+ private:
+  std::atomic<int>* number_;
+};
+
 /// Runs the batch over files that hold one number, with one layer, "work", that a test gives: it is called with that
-/// number.
+/// number, in a process of the batch, so what it changes is not seen outside.
 class Batch_test : public testing::Test {
  protected:
   using Work = std::function<void(int number, Progress& progress)>;
@@ -115,24 +137,36 @@ class Batch_test : public testing::Test {
 using Batch_death_test = Batch_test;
 
 TEST_F(Batch_test, InputWithoutMemoryBesideOthersIsTriedAgainAlone) {
-  std::atomic<bool> other_is_running = false;
-  std::atomic<int> attempts = 0;
-  EXPECT_EQ(exit_success, run(2, 2, false, [&](int number, Progress&) {
-              if (number == 1) {
-                other_is_running = true;
-                wait_until([&] { return attempts > 0; });
-                other_is_running = false;
-                return;
-              }
-              if (attempts == 0) wait_until([&] { return other_is_running.load(); });
-              ++attempts;
-              if (attempts == 1) throw std::bad_alloc();
-              EXPECT_FALSE(other_is_running);
-            }));
-  EXPECT_EQ(2, attempts);
-  EXPECT_TRUE(has_result(0));
-  EXPECT_TRUE(has_result(1));
-  EXPECT_THAT(summary(), HasSubstr("input0.number,done,"));
+  for (const bool is_killed : {false, true}) {
+    SCOPED_TRACE(is_killed);
+    fs::remove_all(output());
+    Shared_number other_is_running;
+    Shared_number other_was_running;
+    Shared_number attempts;
+    EXPECT_EQ(exit_success, run(2, 2, false, [&](int number, Progress&) {
+                if (number == 1) {
+                  *other_is_running = 1;
+                  wait_until([&] { return *attempts > 0; });
+                  *other_is_running = 0;
+                  return;
+                }
+                if (*attempts == 0) wait_until([&] { return *other_is_running == 1; });
+                ++*attempts;
+                if (*attempts > 1) {
+                  *other_was_running = (*other_is_running).load();
+                } else if (is_killed) {
+                  raise(SIGKILL);
+                } else {
+                  throw std::bad_alloc();
+                }
+              }));
+    EXPECT_EQ(2, *attempts);
+    EXPECT_EQ(0, *other_was_running);
+    EXPECT_TRUE(has_result(0));
+    EXPECT_TRUE(has_result(1));
+    EXPECT_THAT(summary(), HasSubstr("input0.number,done,"));
+    EXPECT_THAT(errors_.str(), IsEmpty());
+  }
 }
 
 TEST_F(Batch_test, InputWithoutMemoryFailsAloneAndIsTriedAgainWithResume) {
@@ -144,11 +178,58 @@ TEST_F(Batch_test, InputWithoutMemoryFailsAloneAndIsTriedAgainWithResume) {
   EXPECT_TRUE(has_result(2));
   EXPECT_THAT(errors_.str(), HasSubstr("input1.number: not enough memory"));
   EXPECT_THAT(summary(), HasSubstr("input1.number,failed,"));
-  std::atomic<int> computed = 0;
-  EXPECT_EQ(exit_success, run(3, 2, true, [&](int number, Progress&) { computed += 1 << number; }));
-  EXPECT_EQ(1 << 1, computed);
+  Shared_number computed;
+  EXPECT_EQ(exit_success, run(3, 2, true, [&](int number, Progress&) { *computed += 1 << number; }));
+  EXPECT_EQ(1 << 1, *computed);
   EXPECT_TRUE(has_result(1));
   EXPECT_THAT(summary(), HasSubstr("input0.number,skipped,"));
+}
+
+TEST_F(Batch_test, CrashFailsOneInputAndNoOther) {
+  rlimit core_size{};
+  getrlimit(RLIMIT_CORE, &core_size);
+  const rlimit none{0, core_size.rlim_max};
+  setrlimit(RLIMIT_CORE, &none);
+  for (const int jobs : {1, 3}) {
+    SCOPED_TRACE(jobs);
+    fs::remove_all(output());
+    EXPECT_EQ(exit_some_failed, run(12, jobs, false, [](int number, Progress&) {
+                // Sanitizers would report these, and exit.
+                for (const int signal : {SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
+                if (number == 0 || number == 5) raise(SIGSEGV);
+                if (number == 6) std::abort();
+                if (number == 7) raise(SIGKILL);
+                if (number == 11) std::_Exit(0);
+              }));
+    const std::string errors = errors_.str();
+    for (int i = 0; i < 12; ++i) EXPECT_EQ(has_result(i), i != 0 && i != 5 && i != 6 && i != 7 && i != 11) << i;
+    for (const char* line : {"input0.number: the program crashed (signal 11) while it computed this\n",
+                             "input5.number: the program crashed (signal 11) while it computed this\n",
+                             "input6.number: the program crashed (signal 6) while it computed this\n",
+                             "input11.number: the process ended while it computed this\n"})
+      EXPECT_THAT(errors, HasSubstr(line));
+    EXPECT_THAT(errors, HasSubstr(jobs == 1 ? "input7.number: the process was killed, as happens when memory runs out "
+                                              "(signal 9) while it computed this\n"
+                                            : "input7.number: the process was killed"));
+    EXPECT_EQ(5, std::ranges::count(errors, '\n'));
+    EXPECT_THAT(summary(), HasSubstr("input5.number,failed,"));
+    EXPECT_THAT(summary(), HasSubstr("input8.number,done,"));
+    EXPECT_EQ(12, std::ranges::count(text_of(output() / "stats.jsonl"), '\n'));
+    EXPECT_THAT(unfinished(), IsEmpty());
+  }
+  // None of it is in the way of another run.
+  Shared_number computed;
+  EXPECT_EQ(exit_success, run(12, 2, true, [&](int, Progress&) { ++*computed; }));
+  EXPECT_EQ(5, *computed);
+  EXPECT_THAT(errors_.str(), IsEmpty());
+  setrlimit(RLIMIT_CORE, &core_size);
+}
+
+/// Longer than what a socket holds.
+TEST_F(Batch_test, LongWarningsArriveWhole) {
+  const std::string reason = std::string(1'000'000, 'x') + " \"end\"";
+  EXPECT_EQ(exit_success, run(1, 1, false, [&](int, Progress&) { throw Unavailable(reason); }));
+  EXPECT_TRUE(errors_.str().ends_with("input0.number: layer work: " + reason + "\n")) << errors_.str().substr(0, 200);
 }
 
 TEST_F(Batch_test, SignalStopsTheRunAndLeavesOnlyCompleteResults) {
@@ -156,7 +237,7 @@ TEST_F(Batch_test, SignalStopsTheRunAndLeavesOnlyCompleteResults) {
     fs::remove_all(output());
     EXPECT_EQ(exit_interrupted, run(4, 1, false, [&](int number, Progress& progress) {
                 if (number != 2) return;
-                kill(getpid(), signal);
+                kill(getppid(), signal);
                 wait_until([&] {
                   progress.check();
                   return false;
@@ -173,22 +254,27 @@ TEST_F(Batch_test, SignalStopsTheRunAndLeavesOnlyCompleteResults) {
   }
 }
 
-TEST_F(Batch_death_test, ComputationThatDoesNotStopIsLeftBehind) {
-  EXPECT_EXIT(run(
-                  2, 2, false,
-                  [this](int number, Progress& progress) {
-                    if (number == 0) return;
-                    wait_until([this] { return has_result(0); });
-                    kill(getpid(), SIGINT);
-                    wait_until([&] { return progress.is_cancelled(); });
-                    std::this_thread::sleep_for(std::chrono::minutes(5));
-                  },
-                  std::cerr),
-              testing::ExitedWithCode(exit_interrupted), "stopped: 1 of 2 done");
+/// As of a terminal, which sends it to all processes.
+TEST_F(Batch_test, SignalsToWorkersAreLeftToTheRun) {
+  EXPECT_EQ(exit_success, run(3, 2, false, [](int, Progress&) { kill(getpid(), SIGINT); }));
+  EXPECT_TRUE(has_result(2));
+}
+
+TEST_F(Batch_test, ComputationThatDoesNotStopIsEnded) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(exit_interrupted, run(2, 2, false, [this](int number, Progress& progress) {
+              if (number == 0) return;
+              wait_until([this] { return has_result(0); });
+              kill(getppid(), SIGINT);
+              wait_until([&] { return progress.is_cancelled(); });
+              std::this_thread::sleep_for(std::chrono::minutes(5));
+            }));
+  EXPECT_THAT(errors_.str(), HasSubstr("stopped: 1 of 2 done"));
   EXPECT_TRUE(has_result(0));
   EXPECT_FALSE(has_result(1));
   EXPECT_THAT(summary(), HasSubstr("input0.number,done,"));
   EXPECT_THAT(unfinished(), IsEmpty());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
 }
 
 TEST_F(Batch_death_test, SecondSignalEndsTheProcessAtOnce) {
@@ -196,16 +282,35 @@ TEST_F(Batch_death_test, SecondSignalEndsTheProcessAtOnce) {
   EXPECT_EXIT(run(
                   1, 1, false,
                   [](int, Progress& progress) {
-                    kill(getpid(), SIGINT);
+                    kill(getppid(), SIGINT);
                     wait_until([&] { return progress.is_cancelled(); });
                     std::cerr << "stopping" << std::flush;
-                    kill(getpid(), SIGINT);
+                    kill(getppid(), SIGINT);
                     std::this_thread::sleep_for(std::chrono::minutes(5));
                   },
                   std::cerr),
               testing::ExitedWithCode(exit_interrupted), "stopping");
   EXPECT_FALSE(fs::exists(output() / "summary.csv"));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
+}
+
+TEST_F(Batch_death_test, WorkersEndWithAProgramThatIsKilled) {
+  Shared_number worker;
+  EXPECT_EXIT(run(
+                  1, 1, false,
+                  [&](int, Progress&) {
+                    *worker = getpid();
+                    kill(getppid(), SIGKILL);
+                    std::this_thread::sleep_for(std::chrono::minutes(5));
+                  },
+                  std::cerr),
+              testing::KilledBySignal(SIGKILL), "");
+  // It may be a zombie of whoever takes in orphans for a while.
+  const fs::path about = fs::path("/proc") / std::to_string(*worker) / "stat";
+  wait_until([&] {
+    const std::string text = text_of(about);
+    return text.empty() || text.find(") Z ") != std::string::npos || text.find(") X ") != std::string::npos;
+  });
 }
 
 TEST_F(Batch_test, SignalsActAsBeforeWhenTheRunIsOver) {
