@@ -8,6 +8,7 @@
 #include <gudhi/Simplex_tree.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -72,6 +73,13 @@ Simplex_3 simplex_of(std::span<const int> balls) {
   for (std::size_t i = 0; i < balls.size(); ++i) result.at(i) = balls[i];
   std::ranges::sort(result);
   return result;
+}
+
+bool may_underflow(const std::vector<Ball_3>& balls) {
+  const auto is_tiny = [](double value) { return value != 0 && std::abs(value) < 1e-100; };
+  return std::ranges::any_of(balls, [&](const Ball_3& b) {
+    return is_tiny(b.center.x) || is_tiny(b.center.y) || is_tiny(b.center.z) || is_tiny(b.radius);
+  });
 }
 
 Alpha_complex alpha_complex(const std::vector<Ball_3>& balls) {

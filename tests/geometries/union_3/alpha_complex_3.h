@@ -26,6 +26,9 @@ struct Alpha_complex {
   Topology topology;  ///< of the simplices at most 0, by persistent cohomology over the field with two elements
 };
 
+/// Whether a coordinate or radius is so small that values may underflow.
+bool may_underflow(const std::vector<Ball_3>& balls);
+
 /// By CGAL's triangulations of any dimension, with exact numbers (Gudhi::alpha_complex::Alpha_complex). Also of centers
 /// in a plane or on a line. Of several balls with one center the first of the largest ones has a name.
 Alpha_complex alpha_complex(const std::vector<Ball_3>& balls);

@@ -98,14 +98,6 @@ testing::AssertionResult agrees_with_gudhi(const std::vector<Ball_3>& balls) {
   return agrees(balls, alpha_complex_of_space(balls));
 }
 
-/// Whether a coordinate is so small that powers underflow.
-bool may_underflow(const std::vector<Ball_3>& balls) {
-  const auto is_tiny = [](double value) { return value != 0 && std::abs(value) < 1e-100; };
-  return std::ranges::any_of(balls, [&](const Ball_3& b) {
-    return is_tiny(b.center.x) || is_tiny(b.center.y) || is_tiny(b.center.z) || is_tiny(b.radius);
-  });
-}
-
 TEST(Alpha_complex_3, of_difficult_and_random_sets_is_the_dual_complex) {
   expect_of_balls(repetitions(40), [](const std::vector<Ball_3>& balls) {
     return may_underflow(balls) ? testing::AssertionSuccess() : agrees_with_gudhi(balls);
