@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/outcome.h"
+#include "geometries/cell_arrays_3.h"
 #include "geometries/spatial_order_3.h"
 
 namespace mesecina {
@@ -96,23 +97,15 @@ Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
   Regular_3 result;
   result.balls = std::move(balls);
   result.cell_of_ball.assign(result.balls.size(), -1);
-  const std::size_t count = triangulation.tds().number_of_cells();
-  result.cells.reserve(count);
-  result.neighbors.reserve(count);
-  int next = 0;
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-    cell->info() = next++;
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell) {
-    std::array<int, 4> corners{};
-    std::array<int, 4> across{};
-    for (int i = 0; i < 4; ++i) {
-      corners[i] = cell->vertex(i)->info();
-      across[i] = cell->neighbor(i)->info();
-      if (corners[i] >= 0) result.cell_of_ball[corners[i]] = cell->info();
-    }
-    result.cells.push_back(corners);
-    result.neighbors.push_back(across);
-  }
+  std::vector<std::size_t> order(centers.size());
+  std::iota(order.begin(), order.end(), 0);
+  sort_along_hilbert_curve(centers, order);
+  std::vector<int> places(result.balls.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) places[kept[order[i]]] = static_cast<int>(i);
+  write_cells(triangulation, places, result.cells, result.neighbors, progress);
+  for (std::size_t c = 0; c < result.cells.size(); ++c)
+    for (const int ball : result.cells[c])
+      if (ball >= 0) result.cell_of_ball[ball] = static_cast<int>(c);
   return result;
 }
 

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.h"
+#include "geometries/cell_arrays_3.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 #include "geometries/spatial_order_3.h"
@@ -97,29 +98,9 @@ void triangulate(Vertex_voronoi_3& result, Progress& progress) {
     last->info() = static_cast<int>(i);
   }
   if (triangulation.dimension() < 3) return;
-  // By their least point, for the same reason.
-  std::vector<Triangulation::Cell_handle> handles;
-  handles.reserve(triangulation.tds().number_of_cells());
-  for (auto cell = triangulation.all_cells_begin(); cell != triangulation.all_cells_end(); ++cell)
-    handles.push_back(cell);
-  std::vector<int> least(handles.size(), std::numeric_limits<int>::max());
-  parallel_for(handles.size(), progress, [&](std::size_t c) {
-    for (int i = 0; i < 4; ++i)
-      if (const int point = handles[c]->vertex(i)->info(); point >= 0) least[c] = std::min(least[c], point);
-  });
-  std::vector<int> next(result.points.size() + 1, 0);
-  for (const int point : least) ++next[point + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (std::size_t c = 0; c < handles.size(); ++c) handles[c]->info() = next[least[c]]++;
-  result.cells.resize(handles.size());
-  result.neighbors.resize(handles.size());
-  parallel_for(handles.size(), progress, [&](std::size_t c) {
-    const auto cell = handles[c];
-    for (int i = 0; i < 4; ++i) {
-      result.cells[cell->info()][i] = cell->vertex(i)->info();
-      result.neighbors[cell->info()][i] = cell->neighbor(i)->info();
-    }
-  });
+  std::vector<int> places(result.points.size());
+  std::iota(places.begin(), places.end(), 0);  // they are along a curve
+  write_cells(triangulation, places, result.cells, result.neighbors, progress);
 }
 
 void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progress& progress) {
