@@ -2,15 +2,9 @@
 #include "app2d/files_2.h"
 
 #include <QDir>
-#include <QFile>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QTemporaryDir>
-#include <algorithm>
 #include <utility>
 
 #include "app2d/edits_2.h"
-#include "shell/preferences.h"
 
 // The macro needs the global namespace.
 static void load_examples() { Q_INIT_RESOURCE(examples); }
@@ -19,63 +13,17 @@ namespace mesecina {
 
 namespace {
 
-constexpr QLatin1String program("mesecina2d");
-constexpr QLatin1String folder_key("last-folder");
-
-QString message_of(const std::exception& error) { return QString::fromUtf8(error.what()); }
-
 QString part_name(const std::string& input_id) {
   if (input_id == points_input.id) return Files_2::tr("points");
   if (input_id == disks_input.id) return Files_2::tr("disks");
   return Files_2::tr("outline");
 }
 
-QString name_of(const QStringList& paths) {
-  return paths.size() == 1 ? QFileInfo(paths.front()).fileName() : Files_2::tr("%1 files").arg(paths.size());
-}
-
 }  // namespace
 
-struct Files_2::Order {
-  QStringList paths;
-  QString step;  ///< for undo
-  bool is_added = false;
-  bool is_example = false;
-  bool is_first = false;
-};
-
-struct Files_2::Loaded {
-  Order order;
-  Inputs inputs;
-  QStringList good;
-  QStringList errors;
-  QStringList warnings;
-};
-
 Files_2::Files_2(Document& document, std::shared_ptr<const Formats> formats, QWidget* window)
-    : QObject(window), document_(document), formats_(std::move(formats)), window_(window) {
+    : Files(document, std::move(formats), {QStringLiteral("mesecina2d"), 2, appended, part_name}, window) {
   load_examples();
-}
-
-QString Files_2::title() const { return title_.isEmpty() ? tr("Untitled") : title_; }
-
-QString Files_2::stem() const { return title_.isEmpty() ? tr("untitled") : QFileInfo(title_).completeBaseName(); }
-
-void Files_2::set_current(const QString& file, const QString& title) {
-  current_file_ = file;
-  title_ = title;
-  Q_EMIT title_changed();
-}
-
-void Files_2::open(const QStringList& paths, bool is_added) {
-  if (paths.isEmpty()) return;
-  remember_folder(paths.front());
-  read({paths, is_added ? tr("Add %1").arg(name_of(paths)) : tr("Open %1").arg(name_of(paths)), is_added});
-}
-
-void Files_2::open_first(const QStringList& paths) {
-  remember_folder(paths.front());
-  read({paths, tr("Open %1").arg(name_of(paths)), false, false, true});
 }
 
 QStringList Files_2::examples() {
@@ -83,278 +31,11 @@ QStringList Files_2::examples() {
   return QDir(QStringLiteral(":/examples")).entryList(QDir::Files, QDir::Name);
 }
 
-void Files_2::open_example(const QString& name) {
-  read({{QStringLiteral(":/examples/") + name}, tr("Open the example %1").arg(name), false, true});
-}
-
-void Files_2::new_document() {
-  document_.edit_inputs({}, tr("New"));
-  document_.mark_all_saved();
-  set_current({}, {});
-}
-
-void Files_2::read(const Order& order) {
-  jobs_.run(tr("Reading %1").arg(name_of(order.paths)), [this, formats = formats_, order]() -> std::function<void()> {
-    Loaded loaded;
-    loaded.order = order;
-    const QTemporaryDir folder;
-    for (const QString& path : order.paths) {
-      QString file = path;
-      if (order.is_example) {
-        file = folder.filePath(QFileInfo(path).fileName());
-        QFile::copy(path, file);
-      }
-      try {
-        const File_contents contents = read_file(*formats, file.toStdString());
-        loaded.inputs = appended(loaded.inputs, contents.inputs);
-        loaded.good << path;
-        for (const std::string& warning : contents.warnings)
-          loaded.warnings << tr("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(warning));
-      } catch (const std::exception& error) {
-        loaded.errors << message_of(error);
-      }
-    }
-    return [this, loaded = std::move(loaded)] { take(loaded); };
-  });
-}
-
-void Files_2::take(const Loaded& result) {
-  for (const QString& error : result.errors) Q_EMIT told(Message_bar::Kind::error, error);
-  for (const QString& warning : result.warnings) Q_EMIT told(Message_bar::Kind::warning, warning);
-  if (result.good.isEmpty()) return;
-  const Order& order = result.order;
-  const bool is_start = order.is_first && document_.history().count() == 0;
-  document_.edit_inputs(order.is_added ? appended(document_.inputs(), result.inputs) : result.inputs, order.step);
-  if (is_start) document_.history().clear();
-  if (!order.is_added) {
-    document_.mark_all_saved();
-    const bool is_one_file = result.good.size() == 1 && !order.is_example;
-    set_current(is_one_file ? QFileInfo(result.good.front()).absoluteFilePath() : QString(), name_of(result.good));
-  }
-  if (!order.is_example)
-    for (const QString& path : result.good) Q_EMIT opened(path);
-  Q_EMIT loaded(order.is_added);
-}
-
-std::vector<std::string> Files_2::parts() const {
-  std::vector<std::string> parts;
-  for (const std::string& id : document_.inputs().ids())
-    if (id != image_input.id) parts.push_back(id);
-  return parts;
-}
-
-const Input_writer* Files_2::writer_for(const QString& path, const std::string& input_id) const {
-  const std::string extension = QFileInfo(path).suffix().toLower().toStdString();
-  const auto it = std::ranges::find_if(formats_->input_writers, [&](const Input_writer& writer) {
-    return writer.extension == extension && writer.input_id == input_id;
-  });
-  return it == formats_->input_writers.end() ? nullptr : &*it;
-}
-
-QString Files_2::filters_for(const std::vector<std::string>& input_ids) const {
-  QStringList filters;
-  for (const std::string& id : input_ids) {
-    for (const Input_writer& writer : formats_->input_writers) {
-      if (writer.input_id != id) continue;
-      const QString extension = QString::fromStdString(writer.extension);
-      filters << tr("%1 as %2 (*.%3)").arg(part_name(id), extension.toUpper(), extension);
-    }
-  }
-  return filters.join(QStringLiteral(";;"));
-}
-
-bool Files_2::save() {
-  if (!current_file_.isEmpty()) {
-    const auto ids = parts();
-    if (ids.size() == 1 && writer_for(current_file_, ids.front())) return save_to(current_file_);
-  }
-  return save_as();
-}
-
-bool Files_2::save_as() {
-  const auto ids = parts();
-  if (ids.empty()) {
-    Q_EMIT told(Message_bar::Kind::note, tr("There is nothing to save yet."));
-    return false;
-  }
-  if (ids.size() > 1) {
-    QStringList names;
-    for (const std::string& id : ids) names << part_name(id);
-    Q_EMIT told(Message_bar::Kind::error,
-                tr("Nothing was saved: no kind of file holds the %1 together; save them one by one with File ▸ Save a "
-                   "part")
-                    .arg(names.join(tr(" and "))));
-    return false;
-  }
-  const QString path = choose_for_writing(tr("Save data"), stem(), filters_for(ids));
-  return !path.isEmpty() && save_to(path);
-}
-
-bool Files_2::save_to(const QString& path) {
-  const auto ids = parts();
-  const Input_writer* writer = nullptr;
-  QStringList lost;
-  for (const std::string& id : ids) {
-    const Input_writer* candidate = writer ? nullptr : writer_for(path, id);
-    if (candidate) {
-      writer = candidate;
-    } else {
-      lost << part_name(id);
-    }
-  }
-  const QString extension = QFileInfo(path).suffix();
-  if (!writer) {
-    Q_EMIT told(Message_bar::Kind::error,
-                tr("%1: no file .%2 can hold the %3; expected one of %4")
-                    .arg(path, extension, lost.join(tr(" and ")),
-                         filters_for(ids).replace(QStringLiteral(";;"), QStringLiteral(", "))));
-    return false;
-  }
-  if (!lost.isEmpty()) {
-    Q_EMIT told(
-        Message_bar::Kind::error,
-        tr("%1: a file .%2 holds only the %3, and the %4 would be lost; save them one by one with File ▸ Save a "
-           "part")
-            .arg(path, extension, part_name(writer->input_id), lost.join(tr(" and "))));
-    return false;
-  }
-  if (!write(path, *writer)) return false;
-  set_current(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
-  return true;
-}
-
-bool Files_2::save_part_as(const std::string& input_id) {
-  const auto ids = parts();
-  if (std::ranges::find(ids, input_id) == ids.end()) {
-    Q_EMIT told(Message_bar::Kind::note, tr("There are no %1 to save.").arg(part_name(input_id)));
-    return false;
-  }
-  const QString path = choose_for_writing(tr("Save %1").arg(part_name(input_id)), stem(), filters_for({input_id}));
-  return !path.isEmpty() && save_part_to(path, input_id);
-}
-
-bool Files_2::save_part_to(const QString& path, const std::string& input_id) {
-  const Input_writer* writer = writer_for(path, input_id);
-  if (writer) return write(path, *writer);
-  Q_EMIT told(Message_bar::Kind::error,
-              tr("%1: no file .%2 can hold the %3; expected one of %4")
-                  .arg(path, QFileInfo(path).suffix(), part_name(input_id),
-                       filters_for({input_id}).replace(QStringLiteral(";;"), QStringLiteral(", "))));
-  return false;
-}
-
-bool Files_2::write(const QString& path, const Input_writer& writer) {
-  try {
-    write_file(path.toStdString(), [&](std::ostream& stream) { writer.write(stream, document_.inputs()); });
-  } catch (const std::exception& error) {
-    Q_EMIT told(Message_bar::Kind::error, message_of(error));
-    return false;
-  }
-  remember_folder(path);
-  document_.mark_saved({writer.input_id, std::string(image_input.id)});
-  Q_EMIT opened(path);
-  return true;
-}
+void Files_2::open_example(const QString& name) { Files::open_example(QStringLiteral(":/examples/") + name); }
 
 void Files_2::export_picture(const QString& path, Scene scene, const View_2& view, int width, int height) {
-  const Picture_writer* writer = formats_->find_picture_writer(QFileInfo(path).suffix().toLower().toStdString());
-  if (!writer) {
-    Q_EMIT told(Message_bar::Kind::error, tr("%1: expected a name that ends in .svg, .pdf or .png").arg(path));
-    return;
-  }
-  remember_folder(path);
-  jobs_.run(tr("Writing %1").arg(QFileInfo(path).fileName()),
-            [this, formats = formats_, writer, path, scene = std::move(scene), view, width,
-             height]() -> std::function<void()> {
-              try {
-                writer->write(path.toStdString(), scene, view, width, height);
-                return [this, path] { Q_EMIT told(Message_bar::Kind::note, tr("Wrote %1").arg(path)); };
-              } catch (const std::exception& error) {
-                return [this, text = message_of(error)] { Q_EMIT told(Message_bar::Kind::error, text); };
-              }
-            });
-}
-
-void Files_2::export_layers(const QString& folder, const Scene& scene, const std::vector<std::string>& formats,
-                            const std::map<std::string, Setting_value>& settings,
-                            const std::map<std::string, QString>& reasons) {
-  const auto work = [this, known = formats_, folder, layers = scene.layers, formats, settings, reasons,
-                     file_stem = stem(), input = title()]() -> std::function<void()> {
-    int written = 0;
-    try {
-      for (const Scene_layer& layer : layers) {
-        if (!layer.style.visible) continue;
-        const bool is_cut = layer.primitives && layer.cut;
-        const auto cut = is_cut ? apply_cut(*layer.primitives, *layer.cut) : Primitive_set();
-        const auto reason = reasons.find(layer.id);
-        const Primitive_set* primitives = is_cut ? &cut : layer.primitives.get();
-        Layer_document document{layer.id,
-                                input.toStdString(),
-                                settings,
-                                primitives,
-                                reason == reasons.end() ? std::string() : reason->second.toStdString(),
-                                2};
-        if (!primitives && document.reason.empty()) document.reason = "not computed";
-        for (const std::string& name : formats) {
-          const Layer_writer* writer = known->find_layer_writer(name);
-          if (!writer) continue;
-          const QString path =
-              QStringLiteral("%1/%2.%3.%4")
-                  .arg(folder, file_stem, QString::fromStdString(layer.id), QString::fromStdString(writer->extension));
-          write_file(path.toStdString(), [&](std::ostream& stream) { writer->write(stream, document); });
-          ++written;
-        }
-      }
-    } catch (const std::exception& error) {
-      return [this, text = message_of(error)] { Q_EMIT told(Message_bar::Kind::error, text); };
-    }
-    return [this, folder, written] {
-      Q_EMIT told(Message_bar::Kind::note, tr("Wrote %1 files into %2").arg(written).arg(folder));
-    };
-  };
-  remember_folder(folder + QLatin1Char('/'));
-  jobs_.run(tr("Writing layers"), work);
-}
-
-void Files_2::choose_and_open(bool is_added) {
-  QStringList every;
-  QStringList filters;
-  for (const Reader& reader : formats_->readers) {
-    QStringList patterns;
-    for (const std::string& extension : reader.extensions) patterns << QStringLiteral("*.") + extension.c_str();
-    every << patterns;
-    filters << QStringLiteral("%1 (%2)").arg(QString::fromStdString(reader.name), patterns.join(QLatin1Char(' ')));
-  }
-  filters.prepend(tr("All readable files (%1)").arg(every.join(QLatin1Char(' '))));
-  filters << tr("All files (*)");
-  open(QFileDialog::getOpenFileNames(window_, is_added ? tr("Add files") : tr("Open files"), last_folder(),
-                                     filters.join(QStringLiteral(";;"))),
-       is_added);
-}
-
-QString Files_2::choose_for_writing(const QString& title, const QString& suggestion, const QString& filters) {
-  QFileDialog dialog(window_, title, last_folder());
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setNameFilters(filters.split(QStringLiteral(";;")));
-  // So that the question before overwriting is about the file that will be written.
-  const auto take_suffix = [&dialog](const QString& filter) {
-    dialog.setDefaultSuffix(filter.section(QStringLiteral("*."), 1).chopped(1));
-  };
-  take_suffix(dialog.selectedNameFilter());
-  connect(&dialog, &QFileDialog::filterSelected, &dialog, take_suffix);
-  dialog.selectFile(suggestion);
-  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
-  return dialog.selectedFiles().front();
-}
-
-QString Files_2::choose_folder(const QString& title) {
-  return QFileDialog::getExistingDirectory(window_, title, last_folder());
-}
-
-QString Files_2::last_folder() const { return Preferences(program).value(folder_key, QDir::homePath()).toString(); }
-
-void Files_2::remember_folder(const QString& path) {
-  Preferences(program).set_value(folder_key, QFileInfo(path).absolutePath());
+  Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](
+                                  const Picture_writer& writer) { writer.write(path, scene, view, width, height); });
 }
 
 }  // namespace mesecina

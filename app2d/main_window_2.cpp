@@ -32,13 +32,6 @@ namespace mesecina {
 
 namespace {
 
-/// Empty when none is visible.
-QString topmost_visible(const Layer_list& layers) {
-  for (auto entry = layers.rbegin(); entry != layers.rend(); ++entry)
-    if (entry->style.visible) return QString::fromStdString(entry->id);
-  return {};
-}
-
 Document_state first_state(const Registry& registry, const Startup& startup) {
   constexpr std::size_t samples = 120;
   constexpr double size = 100;
@@ -56,146 +49,71 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
 }  // namespace
 
 Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
-    : registry_(std::move(registry)),
-      formats_(std::make_shared<const Formats>(std::move(formats))),
-      document_(first_state(*registry_, startup),
-                [known = registry_](const Inputs& inputs, const Layer_list& layers) {
-                  return look_at(*known, inputs, layers);
-                }),
-      computation_(registry_, document_) {
+    : Program_window(
+          QStringLiteral("mesecina2d"), registry, std::move(formats), first_state(*registry, startup),
+          [registry](const Inputs& inputs, const Layer_list& layers) { return look_at(*registry, inputs, layers); }) {
   load_icons();
-  setObjectName(QStringLiteral("main-window"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/org.mesecina.mesecina2d.svg")));
-  setAcceptDrops(true);
-  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  build_center();
+  build_canvas();
   files_ = new Files_2(document_, formats_, this);
+  set_files(files_);
   build_docks();
   build_status_bar();
+  selected_ = new QLabel(this);
+  constexpr int before_coordinates = 3;
+  statusBar()->insertPermanentWidget(before_coordinates, selected_);
   make_actions();
   make_menus();
   make_tool_bar();
   connect_parts();
   restore();
   use_tool(QStringLiteral("tool-select"));
-  start(startup);
+  canvas_->fit(bounding_box(document_.inputs()));
+  start(startup, QStringLiteral("medial-axis"));
+  show_selection();
 }
 
 Main_window_2::~Main_window_2() {
-  // What is deleted with the base class must not call back into members that are gone by then.
-  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
-  document_.disconnect();
-  computation_.disconnect();
   canvas_->set_tool(nullptr);
   hover_.reset();
-  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_, disks_dock_}) delete dock;
-  delete takeCentralWidget();
+  take_apart();
   delete editor_;
   delete files_;
 }
 
-void Main_window_2::build_center() {
-  auto* center = new QWidget(this);
-  auto* column = new QVBoxLayout(center);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  messages_ = new Message_bar(center);
-  canvas_ = new Canvas_2(Canvas_2::Backend::automatic, center);
-  column->addWidget(messages_);
-  column->addWidget(canvas_, 1);
-  setCentralWidget(center);
+void Main_window_2::build_canvas() {
+  canvas_ = new Canvas_2(Canvas_2::Backend::automatic);
+  build_center(canvas_);
   canvas_->installEventFilter(this);
   editor_ = new Editor_2(document_, *canvas_, *formats_, this);
   hover_ = std::make_unique<Hover_2>(computation_, *canvas_);
-  notes_ = new Layer_notes(canvas_);
-  const auto make_plate = [this](const QString& name) {
-    auto* plate = new QLabel(canvas_);
-    plate->setObjectName(name);
-    plate->setAttribute(Qt::WA_TransparentForMouseEvents);
-    plate->setAutoFillBackground(true);
-    plate->setFrameShape(QFrame::StyledPanel);
-    plate->setMargin(fontMetrics().height() / 3);
-    plate->setTextFormat(Qt::PlainText);
-    plate->hide();
-    return plate;
-  };
-  facts_ = make_plate(QStringLiteral("facts"));
   readout_ = make_plate(QStringLiteral("readout"));
 }
 
 void Main_window_2::build_docks() {
-  const auto add = [this](const QString& name, const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(widget);
-    addDockWidget(area, dock);
-    return dock;
-  };
-  layer_panel_ = new Layer_panel(registry_, this);
-  settings_panel_ = new Settings_panel(registry_, this);
+  build_panels();
   // Few shapes are more than one disk beyond this.
   constexpr double usual_maximum = 3;
   settings_panel_->set_slider_maximum(std::string(scale_setting.id), usual_maximum);
   points_table_ = new Input_table_2(Rows_2::points, *editor_, this);
   disks_table_ = new Input_table_2(Rows_2::disks, *editor_, this);
-  layers_dock_ = add(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
-  settings_dock_ = add(QStringLiteral("settings-dock"), tr("Settings"), settings_panel_, Qt::RightDockWidgetArea);
-  points_dock_ = add(QStringLiteral("points-dock"), tr("Points"), points_table_, Qt::RightDockWidgetArea);
-  disks_dock_ = add(QStringLiteral("disks-dock"), tr("Disks"), disks_table_, Qt::RightDockWidgetArea);
-  tabifyDockWidget(settings_dock_, points_dock_);
-  tabifyDockWidget(points_dock_, disks_dock_);
+  QDockWidget* points = add_dock(QStringLiteral("points-dock"), tr("Points"), points_table_, Qt::RightDockWidgetArea);
+  QDockWidget* disks = add_dock(QStringLiteral("disks-dock"), tr("Disks"), disks_table_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(settings_dock_, points);
+  tabifyDockWidget(points, disks);
   settings_dock_->raise();
-  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  constexpr int left_width = 300;
-  constexpr int right_width = 260;
-  resizeDocks({layers_dock_, settings_dock_}, {left_width, right_width}, Qt::Horizontal);
-}
-
-void Main_window_2::build_status_bar() {
-  hint_ = new QLabel(tr("? shows keys and mouse"), this);
-  selected_ = new QLabel(this);
-  coordinates_ = new QLabel(this);
-  computing_ = new Status_progress(this);
-  working_ = new Status_progress(this);
-  coordinates_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0000, -000.0000")));
-  coordinates_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  coordinates_->setAccessibleName(tr("Coordinates under the mouse"));
-  statusBar()->addWidget(hint_, 1);
-  for (QWidget* widget : {static_cast<QWidget*>(working_), static_cast<QWidget*>(computing_),
-                          static_cast<QWidget*>(selected_), static_cast<QWidget*>(coordinates_)})
-    statusBar()->addPermanentWidget(widget);
-  // A permanent widget is shown by the status bar; these two show themselves when there is something to tell.
-  computing_->hide();
-  working_->hide();
 }
 
 void Main_window_2::connect_parts() {
-  connect(&document_, &Document::changed, this, &Main_window_2::show_document);
-  connect(&document_, &Document::modified_changed, this, &QWidget::setWindowModified);
-  connect(&computation_, &Computation::scene_changed, this, &Main_window_2::show_scene);
-  connect(&computation_, &Computation::layer_changed, this,
-          [this](const QString& layer) { show_layer(layer.toStdString()); });
-  connect(&computation_, &Computation::busy_changed, this,
-          [this](bool is_busy) { is_busy ? computing_->begin(tr("Computing")) : computing_->end(); });
-  connect(&computation_, &Computation::progressed, computing_, &Status_progress::report);
-  connect(computing_, &Status_progress::cancel_requested, &computation_, &Computation::cancel);
-  connect(&files_->jobs(), &Background_jobs::started, working_, &Status_progress::begin);
-  connect(&files_->jobs(), &Background_jobs::idle, working_, &Status_progress::end);
-  connect(working_, &Status_progress::cancel_requested, &files_->jobs(), &Background_jobs::cancel);
-  connect(files_, &Files_2::told, messages_, &Message_bar::add);
-  connect(files_, &Files_2::opened, recent_files_, &Recent_files::add);
-  connect(files_, &Files_2::title_changed, this, &Main_window_2::show_title);
-  connect(files_, &Files_2::loaded, this, [this] { canvas_->fit(bounding_box(document_.inputs())); });
-  connect(recent_files_, &Recent_files::chosen, this, [this](const QString& file) { files_->open({file}, false); });
+  connect_common();
   connect(editor_, &Editor_2::selection_changed, this, &Main_window_2::show_selection);
   connect(editor_, &Editor_2::failed, this,
           [this](const QString& message) { messages_->add(Message_bar::Kind::error, message); });
   connect(editor_, &Editor_2::menu_requested, this, &Main_window_2::open_menu);
-  connect(notes_, &Layer_notes::chosen, this, [this](const QString& layer) {
-    layers_dock_->show();
-    layer_panel_->select({layer});
+  connect(hover_.get(), &Hover_2::changed, this, [this] {
+    show_overlay();
+    show_facts_text(hover_->short_facts_text());
   });
-  connect(hover_.get(), &Hover_2::changed, this, &Main_window_2::show_facts);
   connect(canvas_, &Canvas_2::view_changed, this, [this] {
     hover_->forget();
     // Handles keep their distance on the screen.
@@ -205,9 +123,6 @@ void Main_window_2::connect_parts() {
     messages_->add(Message_bar::Kind::note,
                    tr("Drawing without OpenGL, which is slower for large scenes: %1").arg(reason));
   });
-  connect(layer_panel_, &Layer_panel::layers_edited, &document_, &Document::edit_layers);
-  connect(layer_panel_, &Layer_panel::setting_edited, this, &Main_window_2::edit_cut);
-  connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
   for (auto& [id, tool] : tools_) {
     connect(tool, &Tool_2::hovered, this, &Main_window_2::show_hover);
     connect(tool, &Tool_2::preview_changed, this, &Main_window_2::show_overlay);
@@ -217,24 +132,6 @@ void Main_window_2::connect_parts() {
       show_readout({}, {});
       hover_->forget();
     });
-  }
-}
-
-void Main_window_2::start(const Startup& startup) {
-  layer_panel_->set_layers(document_.layers());
-  layer_panel_->set_settings(document_.settings());
-  settings_panel_->set_settings(document_.settings());
-  layer_panel_->select({startup.layers.empty() ? QStringLiteral("medial-axis") : topmost_visible(document_.layers())});
-  canvas_->fit(bounding_box(document_.inputs()));
-  show_title();
-  show_scene();
-  show_selection();
-  QStringList paths;
-  for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
-  if (paths.isEmpty()) {
-    files_->name_example();
-  } else {
-    files_->open_first(paths);
   }
 }
 
@@ -260,19 +157,7 @@ void Main_window_2::show_scene() {
   canvas_->set_hint(is_empty ? tr("Drop a file here, double-click to add points, or press D and drag to draw disks")
                              : QString());
   show_notes();
-}
-
-void Main_window_2::show_notes() {
-  std::vector<Layer_notes::Note> notes;
-  const Layer_list& layers = document_.layers();
-  for (auto entry = layers.rbegin(); entry != layers.rend() && !document_.inputs().is_empty(); ++entry) {
-    const Layer_spec* spec = registry_->find_layer(entry->id);
-    if (!entry->style.visible || !spec) continue;
-    const QString reason = computation_.status(entry->id).reason;
-    if (is_worth_a_note(reason))
-      notes.push_back({QString::fromStdString(entry->id), QString::fromStdString(spec->label), reason});
-  }
-  notes_->set_notes(std::move(notes), background());
+  show_overlay();
 }
 
 void Main_window_2::show_overlay() {
@@ -291,26 +176,8 @@ void Main_window_2::show_overlay() {
   canvas_->set_overlay(make_overlay(overlay));
 }
 
-void Main_window_2::show_layer(const std::string& layer) {
-  layer_panel_->set_status(layer, computation_.status(layer));
-  const auto primitives = computation_.primitives(layer);
-  layer_panel_->set_primitives(layer, primitives);
-  const Layer_spec* spec = registry_->find_layer(layer);
-  if (!spec || spec->cut_setting.empty() || !primitives) return;
-  const Values* values = primitives->find_values(spec->cut_value);
-  if (!values || std::isfinite(registry_->find_setting(spec->cut_setting)->maximum)) return;
-  double largest = 0;
-  for (const double value : values->data)
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  if (largest > 0) settings_panel_->set_slider_maximum(spec->cut_setting, largest);
-}
-
 void Main_window_2::show_document(const Document_change& change) {
-  if (change.layers) layer_panel_->set_layers(document_.layers());
-  if (change.settings) {
-    layer_panel_->set_settings(document_.settings());
-    settings_panel_->set_settings(document_.settings());
-  }
+  Program_window::show_document(change);
   if (change.inputs) {
     // Radii grow by about this part of the diagonal at the end of the slider.
     constexpr double part = 0.05;
@@ -321,7 +188,6 @@ void Main_window_2::show_document(const Document_change& change) {
     show_overlay();
     show_selection();
   }
-  show_title();
 }
 
 void Main_window_2::show_hover(const Canvas_event& event) {
@@ -396,31 +262,6 @@ void Main_window_2::show_selection() {
   show_overlay();
 }
 
-void Main_window_2::show_facts() {
-  show_overlay();
-  const QString text = hover_->short_facts_text();
-  if (text.isEmpty()) {
-    facts_->hide();
-    return;
-  }
-  facts_->setText(text);
-  facts_->adjustSize();
-  const int margin = fontMetrics().height() / 2;
-  facts_->move(canvas_->width() - facts_->width() - margin, margin);
-  facts_->show();
-  facts_->raise();
-}
-
-void Main_window_2::edit_cut(const QString& setting, double value, const QString& merge) {
-  const Setting_spec* spec = registry_->find_setting(setting.toStdString());
-  if (!spec) return;
-  Setting_value typed = value;
-  if (std::holds_alternative<std::int64_t>(spec->default_value)) typed = static_cast<std::int64_t>(value);
-  document_.edit_settings(typed == spec->default_value ? document_.settings().without(spec->id)
-                                                       : document_.settings().with(spec->id, typed),
-                          QString::fromStdString(spec->label), merge);
-}
-
 void Main_window_2::escape() {
   if (tool_->cancel()) return;
   if (popover_) {
@@ -436,62 +277,17 @@ void Main_window_2::escape() {
   }
 }
 
-void Main_window_2::open_popover(Popover* popover) {
-  if (!popover) return;
-  popover_ = popover;
-  connect(popover, &Popover::closed, this, [this, popover] {
-    if (popover_ == popover) popover_ = nullptr;
-    canvas_->setFocus();
-  });
-}
-
 void Main_window_2::generate(const Generator_2& generator) {
   if (popover_) popover_->dismiss();
   open_popover(open_generator_popover(generator, *editor_, canvas_));
 }
 
-Color Main_window_2::background() const { return canvas_color(background_, palette()); }
-
-bool Main_window_2::may_close() {
-  if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
-  const auto answer = QMessageBox::question(
-      this, tr("Save changes?"), tr("The points, outlines or disks of %1 were changed.").arg(files_->title()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  if (answer == QMessageBox::Save) return files_->save();
-  return answer == QMessageBox::Discard;
+QString Main_window_2::unsaved_text() const {
+  return tr("The points, outlines or disks of %1 were changed.").arg(files_->title());
 }
 
-void Main_window_2::closeEvent(QCloseEvent* event) {
-  if (!may_close()) {
-    event->ignore();
-    return;
-  }
-  computation_.cancel();
-  files_->jobs().cancel();
-  store();
-  event->accept();
-}
+void Main_window_2::files_loaded() { canvas_->fit(bounding_box(document_.inputs())); }
 
-void Main_window_2::dragEnterEvent(QDragEnterEvent* event) {
-  const auto is_local = [](const QUrl& url) { return url.isLocalFile(); };
-  const auto urls = event->mimeData()->urls();
-  if (std::ranges::any_of(urls, is_local)) event->acceptProposedAction();
-}
-
-void Main_window_2::dropEvent(QDropEvent* event) {
-  QStringList paths;
-  for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
-  files_->open(paths, event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
-  event->acceptProposedAction();
-}
-
-void Main_window_2::changeEvent(QEvent* event) {
-  QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && canvas_ && tool_) {
-    show_scene();
-    show_overlay();
-  }
-}
+void Main_window_2::finish_drawing() { canvas_->grab_picture(); }
 
 }  // namespace mesecina

@@ -20,31 +20,14 @@ namespace mesecina {
 
 namespace {
 
-constexpr QLatin1String program("mesecina2d");
 constexpr double zoom_step = 1.25;
-
-struct Theme_choice {
-  Theme theme;
-  const char* id;
-};
-constexpr Theme_choice theme_choices[] = {
-    {Theme::system, "theme-system"}, {Theme::light, "theme-light"}, {Theme::dark, "theme-dark"}};
-
-struct Background_choice {
-  Canvas_background background;
-  const char* id;
-};
-constexpr Background_choice background_choices[] = {{Canvas_background::paper, "background-paper"},
-                                                    {Canvas_background::dark, "background-dark"},
-                                                    {Canvas_background::window, "background-window"}};
 
 QString generator_text(const char* text) { return QCoreApplication::translate("generators", text); }
 
 }  // namespace
 
 void Main_window_2::make_actions() {
-  actions_ = new Actions(this);
-  recent_files_ = new Recent_files(program, this);
+  begin_actions();
   make_file_actions();
   make_edit_actions();
   make_tool_actions();
@@ -82,30 +65,7 @@ void Main_window_2::make_file_actions() {
 
 void Main_window_2::make_edit_actions() {
   const QString group = tr("Edit");
-  QUndoStack& history = document_.history();
-  QAction* undo = actions_->add(group,
-                                {QStringLiteral("undo"),
-                                 tr("&Undo"),
-                                 tr("Take back the last change"),
-                                 {QKeySequence(Qt::CTRL | Qt::Key_Z)},
-                                 tool_icon(Tool_icon::undo)},
-                                [&history] { history.undo(); });
-  QAction* redo = actions_->add(group,
-                                {QStringLiteral("redo"),
-                                 tr("&Redo"),
-                                 tr("Do again what was taken back"),
-                                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-                                 tool_icon(Tool_icon::redo)},
-                                [&history] { history.redo(); });
-  undo->setEnabled(false);
-  redo->setEnabled(false);
-  connect(&history, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-  connect(&history, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
-  connect(&history, &QUndoStack::undoTextChanged, undo,
-          [undo](const QString& text) { undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(text)); });
-  connect(&history, &QUndoStack::redoTextChanged, redo,
-          [redo](const QString& text) { redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text)); });
-
+  make_undo_actions(tool_icon(Tool_icon::undo), tool_icon(Tool_icon::redo));
   const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
                        std::function<void()> run, QWidget* scope = nullptr) {
     actions_->add(group, {QLatin1String(id), text, tip, std::move(keys), {}, false, scope}, std::move(run));
@@ -215,43 +175,8 @@ void Main_window_2::make_view_actions() {
       [this] { canvas_->zoom(zoom_step); });
   add("zoom-out", tr("Zoom &out"), tr("Smaller; the wheel zooms about the cursor"),
       {QKeySequence(Qt::Key_Minus), QKeySequence(Qt::CTRL | Qt::Key_Minus)}, [this] { canvas_->zoom(1 / zoom_step); });
-  add("toggle-layers", tr("Show or &hide layers"), tr("Show or hide the layers selected in the list"),
-      {QKeySequence(Qt::Key_H)}, [this] { layer_panel_->toggle_visibility(); });
-  add("solo-layers", tr("&Solo layers"), tr("Show only the layers selected in the list; again: what was shown before"),
-      {QKeySequence(Qt::Key_S)}, [this] { layer_panel_->solo(); });
-  add("show-all-layers", tr("Show &all layers"), tr("Show every layer"), {QKeySequence(Qt::ALT | Qt::Key_H)},
-      [this] { layer_panel_->show_all(); });
-  add("find-layer", tr("Find a &layer"), tr("Type a part of its name"), {QKeySequence(Qt::CTRL | Qt::Key_F)}, [this] {
-    layers_dock_->show();
-    layer_panel_->focus_filter();
-  });
-  const auto add_choice = [&](QActionGroup* choices, const char* id, const QString& text, const QString& tip,
-                              std::function<void()> run) {
-    QAction* action = actions_->add(group, {QLatin1String(id), text, tip, {}, {}, true}, std::move(run));
-    choices->addAction(action);
-  };
-  auto* themes = new QActionGroup(this);
-  add_choice(themes, "theme-system", tr("&System"), tr("Dress the window as the desktop does"),
-             [this] { set_theme(Theme::system); });
-  add_choice(themes, "theme-light", tr("&Light"), tr("Light window"), [this] { set_theme(Theme::light); });
-  add_choice(themes, "theme-dark", tr("&Dark"), tr("Dark window"), [this] { set_theme(Theme::dark); });
-  auto* backgrounds = new QActionGroup(this);
-  add_choice(backgrounds, "background-paper", tr("&Paper white"), tr("White canvas, as on paper"),
-             [this] { set_background(Canvas_background::paper); });
-  add_choice(backgrounds, "background-dark", tr("&Dark canvas"),
-             tr("Dark canvas; dark colours of layers are lightened"),
-             [this] { set_background(Canvas_background::dark); });
-  add_choice(backgrounds, "background-window", tr("Like the &window"), tr("Canvas in the colour of the window"),
-             [this] { set_background(Canvas_background::window); });
-  QAction* full = actions_->add(group,
-                                {QStringLiteral("full-screen"),
-                                 tr("F&ull screen"),
-                                 tr("Use the whole screen"),
-                                 {QKeySequence(Qt::Key_F11)},
-                                 {},
-                                 true},
-                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-  full->setChecked(isFullScreen());
+  make_layer_actions();
+  make_look_actions();
 
   const QString help = tr("Help");
   actions_->add(help,
@@ -326,14 +251,7 @@ void Main_window_2::make_menus() {
   QMenu* view = menu(tr("&View"));
   actions_->add_to(view, {"fit", "previous-view", "zoom-in", "zoom-out", "-", "toggle-layers", "solo-layers",
                           "show-all-layers", "find-layer", "-"});
-  QMenu* themes = view->addMenu(tr("&Theme"));
-  for (const Theme_choice& choice : theme_choices) actions_->add_to(themes, {QLatin1String(choice.id)});
-  QMenu* backgrounds = view->addMenu(tr("&Background"));
-  for (const Background_choice& choice : background_choices) actions_->add_to(backgrounds, {QLatin1String(choice.id)});
-  QMenu* panels = view->addMenu(tr("Pa&nels"));
-  for (QDockWidget* dock : {layers_dock_, settings_dock_, points_dock_, disks_dock_})
-    panels->addAction(dock->toggleViewAction());
-  actions_->add_to(view, {"-", "full-screen"});
+  add_look_menus(view);
 
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
@@ -397,47 +315,6 @@ void Main_window_2::export_layers() {
     for (const Layer_entry& entry : document_.layers()) reasons[entry.id] = computation_.status(entry.id).reason;
     files_->export_layers(folder, computation_.scene({255, 255, 255}), formats, settings, reasons);
   }));
-}
-
-void Main_window_2::set_theme(Theme theme) {
-  themes_.apply(theme);
-  for (const Theme_choice& choice : theme_choices)
-    (*actions_)[QLatin1String(choice.id)]->setChecked(choice.theme == theme);
-  for (const Theme_choice& choice : theme_choices)
-    if (choice.theme == theme) Preferences(program).set_value(QStringLiteral("theme"), QLatin1String(choice.id));
-}
-
-void Main_window_2::set_background(Canvas_background background) {
-  background_ = background;
-  for (const Background_choice& choice : background_choices) {
-    const bool is_chosen = choice.background == background;
-    (*actions_)[QLatin1String(choice.id)]->setChecked(is_chosen);
-    if (is_chosen) Preferences(program).set_value(QStringLiteral("background"), QLatin1String(choice.id));
-  }
-  show_scene();
-  show_overlay();
-}
-
-void Main_window_2::restore() {
-  const Preferences preferences(program);
-  constexpr QSize usual(1440, 900);
-  constexpr double share_of_screen = 0.92;
-  resize(usual.boundedTo(screen()->availableSize() * share_of_screen));
-  restoreGeometry(preferences.value(QStringLiteral("geometry")).toByteArray());
-  restoreState(preferences.value(QStringLiteral("docks")).toByteArray());
-  const QString theme = preferences.value(QStringLiteral("theme"), QStringLiteral("theme-light")).toString();
-  const QString background =
-      preferences.value(QStringLiteral("background"), QStringLiteral("background-paper")).toString();
-  for (const Theme_choice& choice : theme_choices)
-    if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
-  for (const Background_choice& choice : background_choices)
-    if (background == QLatin1String(choice.id)) set_background(choice.background);
-}
-
-void Main_window_2::store() {
-  Preferences preferences(program);
-  preferences.set_value(QStringLiteral("geometry"), saveGeometry());
-  preferences.set_value(QStringLiteral("docks"), saveState());
 }
 
 }  // namespace mesecina

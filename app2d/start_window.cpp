@@ -1,93 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app2d/start_window.h"
 
-#include <unistd.h>
-
-#include <QApplication>
-#include <QLocale>
-#include <QPixmap>
-#include <QSurfaceFormat>
-#include <QTimer>
-#include <ctime>
-#include <fstream>
-#include <iostream>
-#include <sstream>
-
 #include "app2d/main_window_2.h"
+#include "shell/run_window.h"
 
 namespace mesecina {
 
-namespace {
-
-/// Seconds since this process was started, to a hundredth; negative where the system does not say.
-double seconds_since_start() {
-  std::ifstream stat("/proc/self/stat");
-  std::string line;
-  std::getline(stat, line);
-  // The second field is the program's name in parentheses; the 22nd is the start in clock ticks since boot.
-  const auto after_name = line.rfind(')');
-  if (after_name == std::string::npos) return -1;
-  std::istringstream fields(line.substr(after_name + 1));
-  std::string field;
-  constexpr int start_field = 20;
-  for (int i = 0; i < start_field; ++i) fields >> field;
-  timespec now{};
-  clock_gettime(CLOCK_BOOTTIME, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
-         std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
-}
-
-/// With MESECINA_FIRST_PICTURE set, for scripts that measure or document the program: when everything visible is
-/// computed and drawn, says after how long on stderr, saves the window to the file named by the variable unless that is
-/// "-", and quits.
-void report_first_picture(Main_window_2& window) {
-  const QString file = qEnvironmentVariable("MESECINA_FIRST_PICTURE");
-  if (file.isEmpty()) return;
-  auto* poll = new QTimer(&window);
-  constexpr int poll_interval = 10;
-  QObject::connect(poll, &QTimer::timeout, &window, [&window, poll, file] {
-    if (window.document().inputs().is_empty() || window.computation().is_busy()) return;
-    poll->stop();
-    window.canvas().grab_picture();
-    std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;
-    constexpr int time_to_settle = 500;
-    QTimer::singleShot(time_to_settle, &window, [&window, file] {
-      const bool saved = file == QLatin1String("-") || window.grab().save(file);
-      QCoreApplication::exit(saved ? exit_success : exit_some_failed);
-    });
-  });
-  poll->start(poll_interval);
-}
-
-}  // namespace
-
 int start_window(int argc, char** argv, const Command_line& command_line, std::shared_ptr<const Registry> registry,
                  Formats formats) {
-  const auto is_set = [](const char* variable) { return !qEnvironmentVariableIsEmpty(variable); };
-  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("QT_QPA_PLATFORM")) {
-    std::cerr << "mesecina2d: expected a display to open a window on, found none; use --nogui to compute without one\n";
-    return exit_wrong_usage;
-  }
-  // Files hold numbers with a decimal point everywhere, and so do the controls.
-  QLocale::setDefault(QLocale::c());
-  QSurfaceFormat format;
-  constexpr int major = 3;
-  constexpr int minor = 3;
-  format.setVersion(major, minor);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
-  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
-  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-  QApplication application(argc, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("mesecina"));
-  QCoreApplication::setApplicationName(QStringLiteral("mesecina2d"));
-  QCoreApplication::setApplicationVersion(QStringLiteral(MESECINA_VERSION));
-  QGuiApplication::setApplicationDisplayName(QString());
-  Main_window_2 window(std::move(registry), std::move(formats),
-                       {command_line.files, command_line.layers, command_line.settings});
-  report_first_picture(window);
-  window.show();
-  return QApplication::exec();
+  const Program_identity identity{QStringLiteral("mesecina2d"), QStringLiteral(MESECINA_VERSION)};
+  return run_window(argc, argv, identity, [&]() -> std::unique_ptr<Program_window> {
+    const Startup startup{command_line.files, command_line.layers, command_line.settings};
+    return std::make_unique<Main_window_2>(std::move(registry), std::move(formats), startup);
+  });
 }
 
 }  // namespace mesecina

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/formats/format.h"
+#include "core/style.h"
+#include "shell/background_jobs.h"
+#include "shell/document.h"
+#include "shell/message_bar.h"
+
+class QWidget;
+
+namespace mesecina {
+
+/// What files are about in one program.
+struct Files_of_program {
+  QString program;  ///< that remembers the last folder ("mesecina2d")
+  int dimension = 2;
+  /// The first inputs with the second ones added.
+  std::function<Inputs(const Inputs&, const Inputs&)> appended;
+  /// In the user's words ("points").
+  std::function<QString(const std::string& input_id)> part_name;
+};
+
+/// Brings files into the document and out of it. Reading and exporting happen on another thread.
+class Files : public QObject {
+  Q_OBJECT
+ public:
+  /// `window` is the parent of the file choosers.
+  Files(Document& document, std::shared_ptr<const Formats> formats, Files_of_program kinds, QWidget* window);
+
+  /// Replaces the inputs by what the files hold, or adds it to them: one step that can be undone. A bad file changes
+  /// nothing and is told in one line.
+  void open(const QStringList& paths, bool is_added);
+  /// As open(), for the files that a window starts with: there is nothing before them that one could go back to, unless
+  /// the user has begun to edit meanwhile.
+  void open_first(const QStringList& paths);
+  /// Opens a file that is not the user's: it is not remembered, and saving asks for another name.
+  void open_example(const QString& path);
+  void new_document();
+  /// Says that the document is the example of a first start.
+  void name_example() { set_current({}, tr("Example")); }
+
+  /// Into the file of the document, if there is one that can hold everything, else asks.
+  bool save();
+  /// False, with a message, also when there is more than any one file can hold.
+  bool save_as();
+  /// By the extension. False, with a message, when the file cannot hold everything there is or cannot be written.
+  bool save_to(const QString& path);
+  /// Only the input of this id.
+  bool save_part_as(const std::string& input_id);
+  bool save_part_to(const QString& path, const std::string& input_id);
+
+  /// `write` paints with the writer of the path's extension, on the other thread.
+  void export_picture(const QString& path, std::function<void(const Picture_writer&)> write);
+  /// One file per visible layer and format, named as those of --nogui: STEM.LAYER.EXTENSION.
+  void export_layers(const QString& folder, const Scene& scene, const std::vector<std::string>& formats,
+                     const std::map<std::string, Setting_value>& settings,
+                     const std::map<std::string, QString>& reasons);
+
+  /// Asks the user for files to open.
+  void choose_and_open(bool is_added);
+  /// Empty when the user gave up. `filters` as for QFileDialog.
+  QString choose_for_writing(const QString& title, const QString& suggestion, const QString& filters);
+  QString choose_folder(const QString& title);
+
+  Background_jobs& jobs() { return jobs_; }
+  /// Of the document; empty for none.
+  const QString& current_file() const { return current_file_; }
+  /// "giraffe.wkt" or "Untitled"
+  QString title() const;
+  QString stem() const;
+
+ Q_SIGNALS:
+  void told(mesecina::Message_bar::Kind kind, const QString& line);
+  void opened(const QString& path);
+  /// The inputs were replaced or joined by what files held.
+  void loaded(bool is_added);
+  void title_changed();
+
+ private:
+  struct Loaded;
+  struct Order;
+  void read(const Order& order);
+  void take(const Loaded& result);
+  const Input_writer* writer_for(const QString& path, const std::string& input_id) const;
+  QString filters_for(const std::vector<std::string>& input_ids) const;
+  std::vector<std::string> parts() const;
+  bool write(const QString& path, const Input_writer& writer);
+  void set_current(const QString& file, const QString& title);
+  QString last_folder() const;
+  void remember_folder(const QString& path);
+
+  Document& document_;
+  std::shared_ptr<const Formats> formats_;
+  Files_of_program kinds_;
+  QWidget* window_;
+  QString current_file_;
+  QString title_;
+  Background_jobs jobs_;
+};
+
+}  // namespace mesecina

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/program_window.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScreen>
+#include <QStatusBar>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "shell/preferences.h"
+
+namespace mesecina {
+
+namespace {
+
+struct Theme_choice {
+  Theme theme;
+  const char* id;
+};
+constexpr Theme_choice theme_choices[] = {
+    {Theme::system, "theme-system"}, {Theme::light, "theme-light"}, {Theme::dark, "theme-dark"}};
+
+struct Background_choice {
+  Canvas_background background;
+  const char* id;
+};
+constexpr Background_choice background_choices[] = {{Canvas_background::paper, "background-paper"},
+                                                    {Canvas_background::dark, "background-dark"},
+                                                    {Canvas_background::window, "background-window"}};
+
+}  // namespace
+
+QString topmost_visible(const Layer_list& layers) {
+  for (auto entry = layers.rbegin(); entry != layers.rend(); ++entry)
+    if (entry->style.visible) return QString::fromStdString(entry->id);
+  return {};
+}
+
+Program_window::Program_window(QString program, std::shared_ptr<const Registry> registry, Formats formats,
+                               Document_state first, Document::Layers_for_inputs layers_for_inputs)
+    : registry_(std::move(registry)),
+      formats_(std::make_shared<const Formats>(std::move(formats))),
+      document_(std::move(first), std::move(layers_for_inputs)),
+      computation_(registry_, document_),
+      program_(std::move(program)) {
+  setObjectName(QStringLiteral("main-window"));
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+}
+
+void Program_window::take_apart() {
+  // What is deleted with the base class must not call back into members that are gone by then.
+  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+  document_.disconnect();
+  computation_.disconnect();
+  for (QDockWidget* dock : docks_) delete dock;
+  delete takeCentralWidget();
+}
+
+void Program_window::build_center(QWidget* canvas) {
+  common_canvas_ = canvas;
+  auto* center = new QWidget(this);
+  auto* column = new QVBoxLayout(center);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  messages_ = new Message_bar(center);
+  column->addWidget(messages_);
+  column->addWidget(canvas, 1);
+  setCentralWidget(center);
+  notes_ = new Layer_notes(canvas);
+  facts_ = make_plate(QStringLiteral("facts"));
+}
+
+QLabel* Program_window::make_plate(const QString& name) {
+  auto* plate = new QLabel(common_canvas_);
+  plate->setObjectName(name);
+  plate->setAttribute(Qt::WA_TransparentForMouseEvents);
+  plate->setAutoFillBackground(true);
+  plate->setFrameShape(QFrame::StyledPanel);
+  plate->setMargin(fontMetrics().height() / 3);
+  plate->setTextFormat(Qt::PlainText);
+  plate->hide();
+  return plate;
+}
+
+void Program_window::show_facts_text(const QString& text) {
+  if (text.isEmpty()) {
+    facts_->hide();
+    return;
+  }
+  facts_->setText(text);
+  facts_->adjustSize();
+  const int margin = fontMetrics().height() / 2;
+  facts_->move(common_canvas_->width() - facts_->width() - margin, margin);
+  facts_->show();
+  facts_->raise();
+}
+
+QDockWidget* Program_window::add_dock(const QString& name, const QString& title, QWidget* widget,
+                                      Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  docks_.push_back(dock);
+  return dock;
+}
+
+void Program_window::build_panels() {
+  layer_panel_ = new Layer_panel(registry_, this);
+  settings_panel_ = new Settings_panel(registry_, this);
+  layers_dock_ = add_dock(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
+  settings_dock_ = add_dock(QStringLiteral("settings-dock"), tr("Settings"), settings_panel_, Qt::RightDockWidgetArea);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  constexpr int left_width = 300;
+  constexpr int right_width = 260;
+  resizeDocks({layers_dock_, settings_dock_}, {left_width, right_width}, Qt::Horizontal);
+}
+
+void Program_window::build_status_bar() {
+  hint_ = new QLabel(tr("? shows keys and mouse"), this);
+  coordinates_ = new QLabel(this);
+  computing_ = new Status_progress(this);
+  working_ = new Status_progress(this);
+  coordinates_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0000, -000.0000")));
+  coordinates_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  coordinates_->setAccessibleName(tr("Coordinates under the mouse"));
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(working_);
+  statusBar()->addPermanentWidget(computing_);
+  statusBar()->addPermanentWidget(coordinates_);
+  // A permanent widget is shown by the status bar; these two show themselves when there is something to tell.
+  computing_->hide();
+  working_->hide();
+}
+
+void Program_window::begin_actions() {
+  actions_ = new Actions(this);
+  recent_files_ = new Recent_files(program_, this);
+}
+
+void Program_window::make_undo_actions(const QIcon& undo_icon, const QIcon& redo_icon) {
+  const QString group = tr("Edit");
+  QUndoStack& history = document_.history();
+  QAction* undo = actions_->add(group,
+                                {QStringLiteral("undo"),
+                                 tr("&Undo"),
+                                 tr("Take back the last change"),
+                                 {QKeySequence(Qt::CTRL | Qt::Key_Z)},
+                                 undo_icon},
+                                [&history] { history.undo(); });
+  QAction* redo = actions_->add(group,
+                                {QStringLiteral("redo"),
+                                 tr("&Redo"),
+                                 tr("Do again what was taken back"),
+                                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+                                 redo_icon},
+                                [&history] { history.redo(); });
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(&history, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&history, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&history, &QUndoStack::undoTextChanged, undo,
+          [undo](const QString& text) { undo->setText(text.isEmpty() ? tr("&Undo") : tr("&Undo: %1").arg(text)); });
+  connect(&history, &QUndoStack::redoTextChanged, redo,
+          [redo](const QString& text) { redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text)); });
+}
+
+void Program_window::make_layer_actions() {
+  const auto add = [&](const char* id, const QString& text, const QString& tip, QKeySequence key,
+                       std::function<void()> run) {
+    actions_->add(tr("View"), {QLatin1String(id), text, tip, {std::move(key)}}, std::move(run));
+  };
+  add("toggle-layers", tr("Show or &hide layers"), tr("Show or hide the layers selected in the list"),
+      QKeySequence(Qt::Key_H), [this] { layer_panel_->toggle_visibility(); });
+  add("solo-layers", tr("&Solo layers"), tr("Show only the layers selected in the list; again: what was shown before"),
+      QKeySequence(Qt::Key_S), [this] { layer_panel_->solo(); });
+  add("show-all-layers", tr("Show &all layers"), tr("Show every layer"), QKeySequence(Qt::ALT | Qt::Key_H),
+      [this] { layer_panel_->show_all(); });
+  add("find-layer", tr("Find a &layer"), tr("Type a part of its name"), QKeySequence(Qt::CTRL | Qt::Key_F), [this] {
+    layers_dock_->show();
+    layer_panel_->focus_filter();
+  });
+}
+
+void Program_window::make_look_actions() {
+  const QString group = tr("View");
+  const auto add_choice = [&](QActionGroup* choices, const char* id, const QString& text, const QString& tip,
+                              std::function<void()> run) {
+    QAction* action = actions_->add(group, {QLatin1String(id), text, tip, {}, {}, true}, std::move(run));
+    choices->addAction(action);
+  };
+  auto* themes = new QActionGroup(this);
+  add_choice(themes, "theme-system", tr("&System"), tr("Dress the window as the desktop does"),
+             [this] { set_theme(Theme::system); });
+  add_choice(themes, "theme-light", tr("&Light"), tr("Light window"), [this] { set_theme(Theme::light); });
+  add_choice(themes, "theme-dark", tr("&Dark"), tr("Dark window"), [this] { set_theme(Theme::dark); });
+  auto* backgrounds = new QActionGroup(this);
+  add_choice(backgrounds, "background-paper", tr("&Paper white"), tr("White canvas, as on paper"),
+             [this] { set_background(Canvas_background::paper); });
+  add_choice(backgrounds, "background-dark", tr("&Dark canvas"),
+             tr("Dark canvas; dark colours of layers are lightened"),
+             [this] { set_background(Canvas_background::dark); });
+  add_choice(backgrounds, "background-window", tr("Like the &window"), tr("Canvas in the colour of the window"),
+             [this] { set_background(Canvas_background::window); });
+  QAction* full = actions_->add(group,
+                                {QStringLiteral("full-screen"),
+                                 tr("F&ull screen"),
+                                 tr("Use the whole screen"),
+                                 {QKeySequence(Qt::Key_F11)},
+                                 {},
+                                 true},
+                                [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  full->setChecked(isFullScreen());
+}
+
+void Program_window::add_look_menus(QMenu* view) const {
+  QMenu* themes = view->addMenu(tr("&Theme"));
+  for (const Theme_choice& choice : theme_choices) actions_->add_to(themes, {QLatin1String(choice.id)});
+  QMenu* backgrounds = view->addMenu(tr("&Background"));
+  for (const Background_choice& choice : background_choices) actions_->add_to(backgrounds, {QLatin1String(choice.id)});
+  QMenu* panels = view->addMenu(tr("Pa&nels"));
+  for (QDockWidget* dock : docks_) panels->addAction(dock->toggleViewAction());
+  actions_->add_to(view, {"-", "full-screen"});
+}
+
+void Program_window::connect_common() {
+  connect(&document_, &Document::changed, this, &Program_window::show_document);
+  connect(&document_, &Document::modified_changed, this, &QWidget::setWindowModified);
+  connect(&computation_, &Computation::scene_changed, this, [this] { show_scene(); });
+  connect(&computation_, &Computation::layer_changed, this,
+          [this](const QString& layer) { show_layer(layer.toStdString()); });
+  connect(&computation_, &Computation::busy_changed, this,
+          [this](bool is_busy) { is_busy ? computing_->begin(tr("Computing")) : computing_->end(); });
+  connect(&computation_, &Computation::progressed, computing_, &Status_progress::report);
+  connect(computing_, &Status_progress::cancel_requested, &computation_, &Computation::cancel);
+  connect(&common_files_->jobs(), &Background_jobs::started, working_, &Status_progress::begin);
+  connect(&common_files_->jobs(), &Background_jobs::idle, working_, &Status_progress::end);
+  connect(working_, &Status_progress::cancel_requested, &common_files_->jobs(), &Background_jobs::cancel);
+  connect(common_files_, &Files::told, messages_, &Message_bar::add);
+  connect(common_files_, &Files::opened, recent_files_, &Recent_files::add);
+  connect(common_files_, &Files::title_changed, this, [this] { show_title(); });
+  connect(common_files_, &Files::loaded, this, [this] { files_loaded(); });
+  connect(recent_files_, &Recent_files::chosen, this,
+          [this](const QString& file) { common_files_->open({file}, false); });
+  connect(notes_, &Layer_notes::chosen, this, [this](const QString& layer) {
+    layers_dock_->show();
+    layer_panel_->select({layer});
+  });
+  connect(layer_panel_, &Layer_panel::layers_edited, &document_, &Document::edit_layers);
+  connect(layer_panel_, &Layer_panel::setting_edited, this, &Program_window::edit_cut);
+  connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
+}
+
+void Program_window::start(const Startup& startup, const QString& usual_layer) {
+  layer_panel_->set_layers(document_.layers());
+  layer_panel_->set_settings(document_.settings());
+  settings_panel_->set_settings(document_.settings());
+  layer_panel_->select({startup.layers.empty() ? usual_layer : topmost_visible(document_.layers())});
+  show_title();
+  show_scene();
+  QStringList paths;
+  for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
+  if (paths.isEmpty()) {
+    common_files_->name_example();
+  } else {
+    common_files_->open_first(paths);
+  }
+}
+
+void Program_window::show_notes() {
+  std::vector<Layer_notes::Note> notes;
+  const Layer_list& layers = document_.layers();
+  for (auto entry = layers.rbegin(); entry != layers.rend() && !document_.inputs().is_empty(); ++entry) {
+    const Layer_spec* spec = registry_->find_layer(entry->id);
+    if (!entry->style.visible || !spec) continue;
+    const QString reason = computation_.status(entry->id).reason;
+    if (is_worth_a_note(reason))
+      notes.push_back({QString::fromStdString(entry->id), QString::fromStdString(spec->label), reason});
+  }
+  notes_->set_notes(std::move(notes), background());
+}
+
+void Program_window::show_layer(const std::string& layer) {
+  layer_panel_->set_status(layer, computation_.status(layer));
+  const auto primitives = computation_.primitives(layer);
+  layer_panel_->set_primitives(layer, primitives);
+  const Layer_spec* spec = registry_->find_layer(layer);
+  if (!spec || spec->cut_setting.empty() || !primitives) return;
+  const Values* values = primitives->find_values(spec->cut_value);
+  if (!values || std::isfinite(registry_->find_setting(spec->cut_setting)->maximum)) return;
+  double largest = 0;
+  for (const double value : values->data)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  if (largest > 0) settings_panel_->set_slider_maximum(spec->cut_setting, largest);
+}
+
+void Program_window::show_document(const Document_change& change) {
+  if (change.layers) layer_panel_->set_layers(document_.layers());
+  if (change.settings) {
+    layer_panel_->set_settings(document_.settings());
+    settings_panel_->set_settings(document_.settings());
+  }
+  show_title();
+}
+
+void Program_window::edit_cut(const QString& setting, double value, const QString& merge) {
+  const Setting_spec* spec = registry_->find_setting(setting.toStdString());
+  if (!spec) return;
+  Setting_value typed = value;
+  if (std::holds_alternative<std::int64_t>(spec->default_value)) typed = static_cast<std::int64_t>(value);
+  document_.edit_settings(typed == spec->default_value ? document_.settings().without(spec->id)
+                                                       : document_.settings().with(spec->id, typed),
+                          QString::fromStdString(spec->label), merge);
+}
+
+void Program_window::open_popover(Popover* popover) {
+  if (!popover) return;
+  popover_ = popover;
+  connect(popover, &Popover::closed, this, [this, popover] {
+    if (popover_ == popover) popover_ = nullptr;
+    common_canvas_->setFocus();
+  });
+}
+
+Color Program_window::background() const { return canvas_color(background_, palette()); }
+
+void Program_window::set_theme(Theme theme) {
+  themes_.apply(theme);
+  for (const Theme_choice& choice : theme_choices)
+    (*actions_)[QLatin1String(choice.id)]->setChecked(choice.theme == theme);
+  for (const Theme_choice& choice : theme_choices)
+    if (choice.theme == theme) Preferences(program_).set_value(QStringLiteral("theme"), QLatin1String(choice.id));
+}
+
+void Program_window::set_background(Canvas_background background) {
+  background_ = background;
+  for (const Background_choice& choice : background_choices) {
+    const bool is_chosen = choice.background == background;
+    (*actions_)[QLatin1String(choice.id)]->setChecked(is_chosen);
+    if (is_chosen) Preferences(program_).set_value(QStringLiteral("background"), QLatin1String(choice.id));
+  }
+  show_scene();
+}
+
+void Program_window::restore() {
+  const Preferences preferences(program_);
+  constexpr QSize usual(1440, 900);
+  constexpr double share_of_screen = 0.92;
+  resize(usual.boundedTo(screen()->availableSize() * share_of_screen));
+  restoreGeometry(preferences.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(preferences.value(QStringLiteral("docks")).toByteArray());
+  const QString theme = preferences.value(QStringLiteral("theme"), QStringLiteral("theme-light")).toString();
+  const QString background =
+      preferences.value(QStringLiteral("background"), QStringLiteral("background-paper")).toString();
+  for (const Theme_choice& choice : theme_choices)
+    if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
+  for (const Background_choice& choice : background_choices)
+    if (background == QLatin1String(choice.id)) set_background(choice.background);
+}
+
+void Program_window::store() {
+  Preferences preferences(program_);
+  preferences.set_value(QStringLiteral("geometry"), saveGeometry());
+  preferences.set_value(QStringLiteral("docks"), saveState());
+}
+
+bool Program_window::may_close() {
+  if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
+  const auto answer = QMessageBox::question(this, tr("Save changes?"), unsaved_text(),
+                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Save) return common_files_->save();
+  return answer == QMessageBox::Discard;
+}
+
+void Program_window::closeEvent(QCloseEvent* event) {
+  if (!may_close()) {
+    event->ignore();
+    return;
+  }
+  computation_.cancel();
+  common_files_->jobs().cancel();
+  store();
+  event->accept();
+}
+
+void Program_window::dragEnterEvent(QDragEnterEvent* event) {
+  const auto is_local = [](const QUrl& url) { return url.isLocalFile(); };
+  const auto urls = event->mimeData()->urls();
+  if (std::ranges::any_of(urls, is_local)) event->acceptProposedAction();
+}
+
+void Program_window::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  common_files_->open(paths, event->modifiers() & (Qt::ControlModifier | Qt::ShiftModifier));
+  event->acceptProposedAction();
+}
+
+void Program_window::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && notes_ && actions_) show_scene();
+}
+
+}  // namespace mesecina

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "layers/layer_panel.h"
+#include "shell/actions.h"
+#include "shell/computation.h"
+#include "shell/document.h"
+#include "shell/files.h"
+#include "shell/layer_notes.h"
+#include "shell/message_bar.h"
+#include "shell/popover.h"
+#include "shell/recent_files.h"
+#include "shell/settings_panel.h"
+#include "shell/status_progress.h"
+#include "shell/theme.h"
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+
+namespace mesecina {
+
+/// What a window shows first.
+struct Startup {
+  std::vector<std::filesystem::path> files;  ///< none: a live example
+  std::vector<std::string> layers;           ///< the visible ones; none: a sensible few
+  Settings settings;
+};
+
+/// What the windows of all programs have in common: a document that is computed in the background, panels of layers and
+/// settings around a canvas, messages, progress, files, themes. A program adds its canvas and what one can do with it.
+///
+/// The constructor of a program's window calls build_center(), set_files(), build_panels(), build_status_bar(),
+/// begin_actions(), the make_... functions, connect_common() and restore(), in this order; its destructor take_apart().
+class Program_window : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// `program` names the preferences ("mesecina2d").
+  Program_window(QString program, std::shared_ptr<const Registry> registry, Formats formats, Document_state first,
+                 Document::Layers_for_inputs layers_for_inputs);
+
+  Document& document() { return document_; }
+  Computation& computation() { return computation_; }
+  Actions& actions() { return *actions_; }
+  Message_bar& messages() { return *messages_; }
+  Settings_panel& settings_panel() { return *settings_panel_; }
+  Layer_panel& layer_panel() { return *layer_panel_; }
+  Layer_notes& layer_notes() { return *notes_; }
+  /// Of the widget that is open over the canvas; null for none.
+  Popover* popover() const { return popover_; }
+
+  /// When everything visible is computed: draws it at once and waits until it is drawn.
+  virtual void finish_drawing() = 0;
+
+ protected:
+  /// The canvas below the bar of messages.
+  void build_center(QWidget* canvas);
+  void set_files(Files* files) { common_files_ = files; }
+  QDockWidget* add_dock(const QString& name, const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+  void build_panels();
+  void build_status_bar();
+  void begin_actions();
+  void make_undo_actions(const QIcon& undo_icon, const QIcon& redo_icon);
+  void make_layer_actions();
+  /// Themes, background, full screen.
+  void make_look_actions();
+  void add_look_menus(QMenu* view) const;
+  void connect_common();
+  void restore();
+  void store();
+  void take_apart();
+
+  /// A small plate with text on the canvas, hidden at first.
+  QLabel* make_plate(const QString& name);
+  /// At the upper right of the canvas; nothing for an empty text.
+  void show_facts_text(const QString& text);
+  void open_popover(Popover* popover);
+  Color background() const;
+  /// Shows document, panels and files for the first time.
+  void start(const Startup& startup, const QString& usual_layer);
+
+  /// The newest pictures and notes onto the canvas.
+  virtual void show_scene() = 0;
+  virtual void show_document(const Document_change& change);
+  void show_notes();
+  virtual void show_title() = 0;
+  /// What the user is asked about before changed data is lost.
+  virtual QString unsaved_text() const = 0;
+  /// The data was replaced by that of files, or joined by it.
+  virtual void files_loaded() = 0;
+
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+  std::shared_ptr<const Registry> registry_;
+  std::shared_ptr<const Formats> formats_;
+  Document document_;
+  Computation computation_;
+
+  Message_bar* messages_ = nullptr;
+  Actions* actions_ = nullptr;
+  Layer_panel* layer_panel_ = nullptr;
+  Settings_panel* settings_panel_ = nullptr;
+  QDockWidget* layers_dock_ = nullptr;
+  QDockWidget* settings_dock_ = nullptr;
+  Recent_files* recent_files_ = nullptr;
+  Status_progress* computing_ = nullptr;
+  Status_progress* working_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* coordinates_ = nullptr;
+  Layer_notes* notes_ = nullptr;
+  Popover* popover_ = nullptr;
+
+ private:
+  void show_layer(const std::string& layer);
+  void edit_cut(const QString& setting, double value, const QString& merge);
+  void set_theme(Theme theme);
+  void set_background(Canvas_background background);
+  bool may_close();
+
+  QString program_;
+  Theme_switch themes_;
+  Canvas_background background_ = Canvas_background::paper;
+  QWidget* common_canvas_ = nullptr;
+  Files* common_files_ = nullptr;
+  QLabel* facts_ = nullptr;
+  std::vector<QDockWidget*> docks_;
+};
+
+/// Empty when none is visible.
+QString topmost_visible(const Layer_list& layers);
+
+}  // namespace mesecina

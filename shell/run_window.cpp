@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/run_window.h"
+
+#include <unistd.h>
+
+#include <QApplication>
+#include <QLocale>
+#include <QPixmap>
+#include <QTimer>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+#include "core/batch/command_line.h"
+#include "shell/program_window.h"
+
+namespace mesecina {
+
+namespace {
+
+/// Seconds since this process was started, to a hundredth; negative where the system does not say.
+double seconds_since_start() {
+  std::ifstream stat("/proc/self/stat");
+  std::string line;
+  std::getline(stat, line);
+  // The second field is the program's name in parentheses; the 22nd is the start in clock ticks since boot.
+  const auto after_name = line.rfind(')');
+  if (after_name == std::string::npos) return -1;
+  std::istringstream fields(line.substr(after_name + 1));
+  std::string field;
+  constexpr int start_field = 20;
+  for (int i = 0; i < start_field; ++i) fields >> field;
+  timespec now{};
+  clock_gettime(CLOCK_BOOTTIME, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9 -
+         std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+/// With MESECINA_FIRST_PICTURE set, for scripts that measure or document the program: when everything visible is
+/// computed and drawn, says after how long on stderr, saves the window to the file named by the variable unless that is
+/// "-", and quits.
+void report_first_picture(Program_window& window) {
+  const QString file = qEnvironmentVariable("MESECINA_FIRST_PICTURE");
+  if (file.isEmpty()) return;
+  auto* poll = new QTimer(&window);
+  constexpr int poll_interval = 10;
+  QObject::connect(poll, &QTimer::timeout, &window, [&window, poll, file] {
+    if (window.document().inputs().is_empty() || window.computation().is_busy()) return;
+    poll->stop();
+    window.finish_drawing();
+    std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;
+    constexpr int time_to_settle = 500;
+    QTimer::singleShot(time_to_settle, &window, [&window, file] {
+      const bool saved = file == QLatin1String("-") || window.grab().save(file);
+      QCoreApplication::exit(saved ? exit_success : exit_some_failed);
+    });
+  });
+  poll->start(poll_interval);
+}
+
+}  // namespace
+
+int run_window(int argc, char** argv, const Program_identity& identity,
+               const std::function<std::unique_ptr<Program_window>()>& make_window) {
+  const auto is_set = [](const char* variable) { return !qEnvironmentVariableIsEmpty(variable); };
+  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("QT_QPA_PLATFORM")) {
+    std::cerr << identity.name.toStdString()
+              << ": expected a display to open a window on, found none; use --nogui to compute without one\n";
+    return exit_wrong_usage;
+  }
+  // Files hold numbers with a decimal point everywhere, and so do the controls.
+  QLocale::setDefault(QLocale::c());
+  QSurfaceFormat format;
+  constexpr int major = 3;
+  constexpr int minor = 3;
+  format.setVersion(major, minor);
+  format.setProfile(identity.profile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QApplication application(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("mesecina"));
+  QCoreApplication::setApplicationName(identity.name);
+  QCoreApplication::setApplicationVersion(identity.version);
+  QGuiApplication::setApplicationDisplayName(QString());
+  const std::unique_ptr<Program_window> window = make_window();
+  report_first_picture(*window);
+  window->show();
+  return QApplication::exec();
+}
+
+}  // namespace mesecina
