@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app2d/hover_2.h"
 
-#include <QRegularExpression>
-#include <QStringList>
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
-#include "core/formats/number.h"
-#include "layers/panel_paint.h"
 #include "layers/picker_2.h"
+#include "shell/element_facts.h"
 
 namespace mesecina {
 
@@ -17,18 +14,6 @@ namespace {
 
 constexpr std::chrono::milliseconds interval(25);
 constexpr double tolerance = 6;
-
-std::vector<Fact> own_facts(const Primitive_set& set, std::size_t element) {
-  std::vector<Fact> facts;
-  facts.push_back({"id", std::to_string(set.id(element))});
-  for (const Values& values : set.values) {
-    if (element >= values.data.size()) continue;
-    std::string text = format_number(values.data[element]);
-    if (!values.unit.empty()) text += " " + values.unit;
-    facts.push_back({values.name, std::move(text)});
-  }
-  return facts;
-}
 
 std::optional<Hovered_2> find(Picker_2& picker, const Scene& scene, const View_2& view, const QSize& size,
                               const Point_2& pixel) {
@@ -117,11 +102,7 @@ void Hover_2::take(std::optional<Hovered_2> found, std::uint64_t number) {
   computation_.describe(hovered_->layer, hovered_->element,
                         [this, source = hovered_->source, element = hovered_->element](Element_description known) {
                           if (!hovered_ || hovered_->source != source || hovered_->element != element) return;
-                          // A layer may describe what is among its values already.
-                          std::erase_if(known.facts, [this](const Fact& told) {
-                            return std::ranges::count(hovered_->facts, told.name, &Fact::name) > 0;
-                          });
-                          hovered_->facts.insert(hovered_->facts.end(), known.facts.begin(), known.facts.end());
+                          add_facts(hovered_->facts, std::move(known.facts));
                           if (!known.dual.is_empty())
                             hovered_->dual = std::make_shared<const Primitive_set>(std::move(known.dual));
                           Q_EMIT changed();
@@ -129,25 +110,9 @@ void Hover_2::take(std::optional<Hovered_2> found, std::uint64_t number) {
 }
 
 QString Hover_2::facts_text() const {
-  if (!hovered_) return {};
-  QStringList lines{QString::fromStdString(hovered_->label)};
-  for (const Fact& fact : hovered_->facts)
-    lines << QStringLiteral("%1: %2").arg(QString::fromStdString(fact.name), QString::fromStdString(fact.text));
-  return lines.join(QLatin1Char('\n'));
+  return hovered_ ? mesecina::facts_text(hovered_->label, hovered_->facts) : QString();
 }
 
-QString Hover_2::short_facts_text() const {
-  static const QRegularExpression number(QStringLiteral("-?\\d+\\.\\d{3,}(e[+-]?\\d+)?"));
-  constexpr int digits = 6;
-  const QString text = facts_text();
-  QString result;
-  qsizetype end = 0;
-  for (auto matches = number.globalMatch(text); matches.hasNext();) {
-    const QRegularExpressionMatch match = matches.next();
-    result += text.mid(end, match.capturedStart() - end) + short_number(match.captured().toDouble(), digits);
-    end = match.capturedEnd();
-  }
-  return result + text.mid(end);
-}
+QString Hover_2::short_facts_text() const { return with_short_numbers(facts_text()); }
 
 }  // namespace mesecina

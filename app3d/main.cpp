@@ -8,6 +8,7 @@
 #include "core/batch/command_line.h"
 #include "geometries/modules_3.h"
 #ifdef MESECINA_WITH_WINDOW
+#include "app3d/start_window.h"
 #include "layers/color_map.h"
 #include "layers/space_pictures.h"
 #endif
@@ -37,9 +38,9 @@ int run_without_window(mesecina::Command_line command_line, const std::shared_pt
   return reason.empty() || code != mesecina::exit_success ? code : mesecina::exit_some_failed;
 }
 
-int start_window(const mesecina::Command_line&) {
-  std::cerr << program << ": there is no window yet; compute and write files with --nogui. Try --help.\n";
-  return mesecina::exit_wrong_usage;
+int open_window(int argc, char** argv, const mesecina::Command_line& command_line,
+                const std::shared_ptr<const mesecina::Registry>& registry, mesecina::Formats formats) {
+  return mesecina::start_window(argc, argv, command_line, registry, std::move(formats));
 }
 
 #else
@@ -51,7 +52,8 @@ int run_without_window(const mesecina::Command_line& command_line,
   return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
 }
 
-int start_window(const mesecina::Command_line&) {
+int open_window(int, char**, const mesecina::Command_line&, const std::shared_ptr<const mesecina::Registry>&,
+                const mesecina::Formats&) {
   std::cerr << program << ": this was built without windows; compute and write files with --nogui. Try --help.\n";
   return mesecina::exit_wrong_usage;
 }
@@ -70,7 +72,7 @@ int run(int argc, char** argv) {
   }
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
   if (command_line.nogui) return run_without_window(command_line, registry, formats);
-  return start_window(command_line);
+  return open_window(argc, argv, command_line, registry, std::move(formats));
 }
 
 }  // namespace

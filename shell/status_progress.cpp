@@ -6,6 +6,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 #include <chrono>
+#include <cmath>
 
 namespace mesecina {
 
@@ -45,7 +46,15 @@ void Status_progress::begin(const QString& text) {
 }
 
 void Status_progress::report(const QString& text, double fraction) {
-  text_->setText(text);
+  if (text != stage_ || !stage_time_.isValid()) {
+    stage_ = text;
+    stage_time_.start();
+  }
+  constexpr double told_from = 0.05;
+  constexpr double milliseconds = 1000;
+  const double seconds = static_cast<double>(stage_time_.elapsed()) / milliseconds;
+  const bool is_told = seconds >= 1 && fraction >= told_from;
+  text_->setText(is_told ? tr("%1, %2 s left").arg(text).arg(std::ceil(seconds * (1 - fraction) / fraction)) : text);
   bar_->setRange(0, fraction < 0 ? 0 : bar_steps);
   if (fraction >= 0) bar_->setValue(static_cast<int>(fraction * bar_steps));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -19,7 +20,8 @@ class Status_progress : public QWidget {
   /// Said again before it is shown, the third of a second starts anew: a stream of short things, such as a drag, is not
   /// worth showing.
   void begin(const QString& text);
-  /// fraction in [0,1]; negative: not known.
+  /// fraction in [0,1]; negative: not known. After a second with the same text it is also told how much longer that
+  /// will take.
   void report(const QString& text, double fraction);
   void end();
   bool is_running() const { return is_running_; }
@@ -30,6 +32,8 @@ class Status_progress : public QWidget {
  private:
   bool is_running_ = false;
   QTimer delay_;
+  QString stage_;
+  QElapsedTimer stage_time_;
   QLabel* text_;
   QProgressBar* bar_;
 };

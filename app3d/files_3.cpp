@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app3d/files_3.h"
+
+#include <utility>
+
+namespace mesecina {
+
+namespace {
+
+QString part_name(const std::string& input_id) {
+  if (input_id == mesh_input.id) return Files_3::tr("mesh");
+  if (input_id == balls_input.id) return Files_3::tr("balls");
+  return Files_3::tr("points");
+}
+
+template <class T>
+Inputs with_both(const Inputs& inputs, const Inputs& more, Input_key<std::vector<T>> key) {
+  const auto added = more.get(key);
+  if (!added) return inputs;
+  const auto own = inputs.get(key);
+  if (!own) return inputs.with(key, added);
+  std::vector<T> both = *own;
+  both.insert(both.end(), added->begin(), added->end());
+  return inputs.with(key, std::move(both));
+}
+
+}  // namespace
+
+Inputs appended_3(const Inputs& inputs, const Inputs& more) {
+  Inputs result = with_both(with_both(inputs, more, balls_input), more, cloud_input);
+  const auto added = more.get(mesh_input);
+  if (!added) return result;
+  const auto own = inputs.get(mesh_input);
+  if (!own) return result.with(mesh_input, added);
+  Triangle_mesh_3 both = *own;
+  const int first = static_cast<int>(both.vertices.size());
+  both.vertices.insert(both.vertices.end(), added->vertices.begin(), added->vertices.end());
+  for (const auto& [a, b, c] : added->triangles) both.triangles.push_back({first + a, first + b, first + c});
+  return result.with(mesh_input, std::move(both));
+}
+
+Files_3::Files_3(Document& document, std::shared_ptr<const Formats> formats, QWidget* window)
+    : Files(document, std::move(formats), {QStringLiteral("mesecina3d"), 3, appended_3, part_name}, window) {}
+
+void Files_3::export_picture(const QString& path, Scene scene, const View_3& view, int width, int height) {
+  Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](
+                                  const Picture_writer& writer) { writer.write_3(path, scene, view, width, height); });
+}
+
+}  // namespace mesecina

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/view_3.h"
+#include "shell/files.h"
+
+namespace mesecina {
+
+/// Meshes, balls and points.
+class Files_3 : public Files {
+  Q_OBJECT
+ public:
+  /// `window` is the parent of the file choosers.
+  Files_3(Document& document, std::shared_ptr<const Formats> formats, QWidget* window);
+
+  void export_picture(const QString& path, Scene scene, const View_3& view, int width, int height);
+};
+
+/// Everything of both: triangles, balls and points of `more` come after those of `inputs`.
+Inputs appended_3(const Inputs& inputs, const Inputs& more);
+
+}  // namespace mesecina

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/inputs.h"
+#include "core/registry.h"
+#include "layers/layer_list.h"
+
+namespace mesecina {
+
+/// A few layers that tell a story together: of a mesh its translucent surface around the scale axis, of balls
+/// themselves, of points the surface of their power crust.
+Layer_list first_look_3(const Registry& registry, const Inputs& inputs);
+
+/// What to show of `inputs` to somebody who sees `layers`: a first look if they are one, which means that the user has
+/// chosen nothing yet; else the same layers.
+Layer_list look_at_3(const Registry& registry, const Inputs& inputs, const Layer_list& layers);
+
+}  // namespace mesecina

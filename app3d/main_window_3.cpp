@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app3d/main_window_3.h"
+
+#include <QLabel>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app3d/example_3.h"
+#include "app3d/first_look_3.h"
+#include "layers/canvas_surface.h"
+
+namespace mesecina {
+
+namespace {
+
+Document_state first_state(const Registry& registry, const Startup& startup) {
+  constexpr int segments = 96;
+  Document_state state{{}, startup.settings, {}};
+  if (startup.files.empty()) state.inputs = state.inputs.with(mesh_input, twisted_ring(segments));
+  if (startup.layers.empty()) {
+    state.layers = first_look_3(registry, state.inputs);
+  } else {
+    state.layers = default_layers(registry);
+    for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
+  }
+  return state;
+}
+
+}  // namespace
+
+Main_window_3::Main_window_3(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
+    : Program_window(
+          QStringLiteral("mesecina3d"), registry, std::move(formats), first_state(*registry, startup),
+          [registry](const Inputs& inputs, const Layer_list& layers) { return look_at_3(*registry, inputs, layers); }) {
+  build_canvas();
+  files_ = new Files_3(document_, formats_, this);
+  set_files(files_);
+  build_panels();
+  build_status_bar();
+  make_actions();
+  make_menus();
+  connect_common();
+  restore();
+  start(startup, QStringLiteral("scale-axis"));
+}
+
+Main_window_3::~Main_window_3() {
+  hover_.reset();
+  take_apart();
+  delete files_;
+}
+
+void Main_window_3::build_canvas() {
+  const Opengl_probe probe = probe_opengl();
+  if (probe.reason.isEmpty()) {
+    viewer_ = new Viewer_3(probe.is_software);
+    canvas_ = viewer_;
+    build_center(canvas_);
+    hover_ = std::make_unique<Hover_3>(computation_, *viewer_);
+    connect(viewer_, &Viewer_3::hovered, hover_.get(), &Hover_3::look_at);
+    connect(viewer_, &Viewer_3::left, hover_.get(), &Hover_3::forget);
+    connect(viewer_, &Viewer_3::view_changed, hover_.get(), &Hover_3::forget);
+    connect(hover_.get(), &Hover_3::changed, this, &Main_window_3::show_hover);
+    connect(viewer_, &Viewer_3::failed, this, [this](const QString& reason) {
+      messages_->add(Message_bar::Kind::error, tr("Nothing can be drawn: %1").arg(reason));
+    });
+    return;
+  }
+  auto* message = new QLabel(
+      tr("Space cannot be shown here: %1.\nLayers are computed and can be exported all the same.").arg(probe.reason));
+  message->setAlignment(Qt::AlignCenter);
+  message->setWordWrap(true);
+  message->setTextFormat(Qt::PlainText);
+  message->setFocusPolicy(Qt::StrongFocus);
+  canvas_ = message;
+  build_center(canvas_);
+}
+
+void Main_window_3::showEvent(QShowEvent* event) {
+  Program_window::showEvent(event);
+  if (!std::exchange(is_view_chosen_, true)) fit();
+}
+
+void Main_window_3::show_scene() {
+  show_notes();
+  if (!viewer_) return;
+  hover_->check();
+  Scene scene = computation_.scene(background());
+  // The last pictures of data that is gone would tell a lie.
+  if (document_.inputs().is_empty()) {
+    for (Scene_layer& layer : scene.layers) layer.primitives = nullptr;
+  }
+  viewer_->set_scene(std::move(scene));
+}
+
+void Main_window_3::show_hover() {
+  viewer_->set_overlay(hover_->overlay());
+  show_facts_text(hover_->text());
+  if (!hover_->hovered()) {
+    coordinates_->clear();
+    return;
+  }
+  const Point_3& place = hover_->hovered()->place;
+  const double pixel = viewer_->view().camera.height_at_target() / std::max(1, viewer_->height());
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 12);
+  coordinates_->setText(QStringLiteral("%1, %2, %3")
+                            .arg(place.x, 0, 'f', decimals)
+                            .arg(place.y, 0, 'f', decimals)
+                            .arg(place.z, 0, 'f', decimals));
+}
+
+void Main_window_3::show_title() {
+  setWindowTitle(tr("%1[*] — Mesecina 3D").arg(files_->title()));
+  setWindowModified(document_.is_modified());
+}
+
+QString Main_window_3::unsaved_text() const {
+  return tr("The mesh, the balls or the points of %1 were changed.").arg(files_->title());
+}
+
+void Main_window_3::files_loaded() { fit(); }
+
+void Main_window_3::fit() {
+  if (!viewer_) return;
+  const Box box = bounding_box(document_.inputs());
+  View_3 view = viewer_->view();
+  view.camera = fit_camera(box, viewer_->width(), viewer_->height());
+  viewer_->set_view(view);
+}
+
+void Main_window_3::finish_drawing() {
+  if (viewer_) viewer_->grab_picture();
+}
+
+void Main_window_3::escape() {
+  if (popover_) {
+    popover_->dismiss();
+  } else if (files_->jobs().is_busy()) {
+    files_->jobs().cancel();
+  } else if (computation_.is_busy() && computing_->isVisible()) {
+    computation_.cancel();
+  } else {
+    messages_->dismiss();
+  }
+}
+
+}  // namespace mesecina

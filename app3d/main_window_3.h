@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app3d/files_3.h"
+#include "app3d/hover_3.h"
+#include "app3d/viewer_3.h"
+#include "shell/program_window.h"
+
+class QLabel;
+
+namespace mesecina {
+
+/// The window of mesecina3d: puts viewer, panels and actions together and lets each hear of the others. Without OpenGL
+/// there is a message in place of the viewer, and everything else works.
+class Main_window_3 : public Program_window {
+  Q_OBJECT
+ public:
+  Main_window_3(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup);
+  ~Main_window_3() override;
+
+  /// Null without OpenGL.
+  Viewer_3* viewer() { return viewer_; }
+  /// Null without OpenGL.
+  Hover_3* hover() { return hover_.get(); }
+  Files_3& files() { return *files_; }
+  void finish_drawing() override;
+
+ protected:
+  void show_scene() override;
+  void show_title() override;
+  QString unsaved_text() const override;
+  void files_loaded() override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void build_canvas();
+  void make_actions();
+  void make_file_actions();
+  void make_view_actions();
+  void make_help_actions();
+  void make_menus();
+  void show_hover();
+  void fit();
+  void escape();
+  void export_picture();
+  void export_layers();
+  void save_view();
+  void open_view();
+
+  QWidget* canvas_ = nullptr;
+  Viewer_3* viewer_ = nullptr;
+  Files_3* files_ = nullptr;
+  std::unique_ptr<Hover_3> hover_;
+  bool is_view_chosen_ = false;  ///< by the first fit; before, the size of the window is not known
+};
+
+}  // namespace mesecina

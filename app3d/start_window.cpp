@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app3d/start_window.h"
+
+#include "app3d/main_window_3.h"
+#include "shell/run_window.h"
+
+namespace mesecina {
+
+int start_window(int argc, char** argv, const Command_line& command_line, std::shared_ptr<const Registry> registry,
+                 Formats formats) {
+  const Program_identity identity{QStringLiteral("mesecina3d"), QStringLiteral(MESECINA_VERSION),
+                                  QSurfaceFormat::CompatibilityProfile};
+  return run_window(argc, argv, identity, [&]() -> std::unique_ptr<Program_window> {
+    const Startup startup{command_line.files, command_line.layers, command_line.settings};
+    return std::make_unique<Main_window_3>(std::move(registry), std::move(formats), startup);
+  });
+}
+
+}  // namespace mesecina
