@@ -93,11 +93,10 @@ Camera_3::Axes Camera_3::axes() const {
   Point_3 toward = position - target;
   if (!(length(toward) > 0)) toward = {0, 0, 1};
   axes.back = (1 / length(toward)) * toward;
-  axes.right = cross(up, axes.back);
-  for (const Point_3& other : {Point_3{0, 1, 0}, Point_3{0, 0, -1}}) {
-    constexpr double nearly_parallel = 1e-9;
-    if (length(axes.right) > nearly_parallel * length(up) && length(up) > 0) break;
-    axes.right = cross(other, axes.back);
+  constexpr double nearly_parallel = 1e-9;
+  for (const Point_3& candidate : {up, Point_3{0, 1, 0}, Point_3{0, 0, -1}}) {
+    axes.right = cross(candidate, axes.back);
+    if (length(axes.right) > nearly_parallel * length(candidate)) break;
   }
   axes.right = (1 / length(axes.right)) * axes.right;
   axes.up = cross(axes.back, axes.right);

@@ -119,7 +119,7 @@ std::vector<std::int32_t> pieces_3(const Primitive_set& set, Part_3 part) {
     }
     case Part_3::face_edges:
       for_each_face(set, [&](std::span<const int> corners, std::size_t element) {
-        for_each_edge(corners, [&](int from, int to) { add(from, to, 0, element); });
+        for_each_edge(corners, [&](int from, int to) { add(std::min(from, to), std::max(from, to), 0, element); });
       });
       break;
     case Part_3::faces:

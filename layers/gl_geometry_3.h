@@ -14,7 +14,7 @@ enum class Part_3 {
   bounding_points,    ///< the others
   segments,           ///< rays too, and without the edges of triangles and polygons
   bounding_segments,  ///< the edges of triangles and polygons among the segments
-  face_edges,         ///< once for each triangle or polygon that has them
+  face_edges,         ///< once for each triangle or polygon that has them, in one direction, so to the same depths
   faces               ///< triangles, and polygons as fans of triangles
 };
 
