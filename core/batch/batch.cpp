@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -146,9 +147,10 @@ void Batch::compute_all(const Indices& indices, int jobs, const Stop_signals& si
   for (auto next = indices.begin();;) {
     while (!is_stopped_ && next != indices.end() && workers.has_idle()) workers.give(*next++);
     if (!workers.has_busy()) return;
-    if (const auto done = workers.wait(is_stopped_ ? -1 : signals.descriptor())) {
+    if (const auto done = workers.wait(signals.descriptor())) {
       finish(*done, jobs == 1);
-    } else {
+    } else if (signals.take()) {
+      if (is_stopped_) std::_Exit(exit_interrupted);
       is_stopped_ = true;
       workers.stop();
     }

@@ -2,40 +2,34 @@
 #include "core/batch/stop_signals.h"
 
 #include <pthread.h>
+#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <system_error>
-
-#include "core/batch/command_line.h"
 
 namespace mesecina {
 
 Stop_signals::Stop_signals() {
-  if (pipe(pipe_.data()) != 0) throw std::system_error(errno, std::generic_category(), "no pipe for signals");
-  sigemptyset(&signals_);
-  sigaddset(&signals_, SIGINT);
-  sigaddset(&signals_, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &signals_, &mask_before_);
-  waiter_ = std::thread([this] {
-    for (bool is_first = true;; is_first = false) {
-      int signal = 0;
-      sigwait(&signals_, &signal);
-      if (is_over_) return;
-      // An empty pipe takes a byte.
-      if (!is_first || write(pipe_[1], "", 1) != 1) std::_Exit(exit_interrupted);
-    }
-  });
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  descriptor_ = signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
+  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "signals cannot be waited for");
+  pthread_sigmask(SIG_BLOCK, &signals, &mask_before_);
 }
 
 Stop_signals::~Stop_signals() {
-  is_over_ = true;
-  pthread_kill(waiter_.native_handle(), SIGINT);
-  waiter_.join();
+  while (take()) {
+  }
+  close(descriptor_);
   pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
-  close(pipe_[0]);
-  close(pipe_[1]);
+}
+
+bool Stop_signals::take() const {
+  signalfd_siginfo taken{};
+  return read(descriptor_, &taken, sizeof taken) == sizeof taken;
 }
 
 }  // namespace mesecina

@@ -2,13 +2,10 @@
 #include "core/batch/worker_pool.h"
 
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -84,9 +81,7 @@ void Worker_pool::start(Worker& worker) {
     throw std::system_error(reason, std::generic_category(), "no other process can be started");
   }
   if (process == 0) {
-#ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
     if (getppid() != parent) std::_Exit(EXIT_FAILURE);
     // Others would not notice the end of this process's parent while somebody holds its ends of their sockets.
     for (const Worker& other : workers_)

@@ -23,7 +23,7 @@ struct Worker_duties {
 };
 
 /// Child processes that do tasks, one at a time each, so that a crash of one does no harm to the others. They share no
-/// memory with this process and leave SIGINT to it; on Linux they end with the thread that made the pool. Where one has
+/// memory with this process and leave SIGINT to it; they end with the thread that made the pool. Where one has
 /// died, another takes its place. A task costs two messages, less than a tenth of a millisecond.
 ///
 /// Processes are copies made by fork(). Threads of this process do not exist in them: none may hold a lock that workers
@@ -48,7 +48,7 @@ class Worker_pool {
     std::optional<std::string> answer;  ///< nothing if the worker died
     int signal = 0;                     ///< that ended it; 0 if it ended by itself
   };
-  /// Waits for a task to be done, and returns it; or nothing, when the descriptor (-1 for none) can be read before.
+  /// Waits for a task to be done, and returns it; or nothing, when the descriptor can be read before.
   /// Some worker must be busy.
   std::optional<Done> wait(int descriptor);
 
