@@ -24,7 +24,7 @@ Triangle_mesh_3 twisted_ring(int segments) {
       const double thick = 0.17 * swell * std::sin(angle);
       const double outward = ring_radius + wide * std::cos(twist) - thick * std::sin(twist);
       mesh.vertices.push_back(
-          {outward * std::cos(along), wide * std::sin(twist) + thick * std::cos(twist), outward * std::sin(along)});
+          {outward * std::cos(along), outward * std::sin(along), wide * std::sin(twist) + thick * std::cos(twist)});
     }
   }
   // Where the ring closes, the cross section has made one and a half turns.

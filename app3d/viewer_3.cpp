@@ -5,6 +5,7 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
@@ -31,12 +32,14 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 }  // namespace
 
 Viewer_3::Viewer_3(bool is_software, QWidget* parent) : QGLViewer(parent), is_software_(is_software) {
+  // libQGLViewer sets matrices as old OpenGL does.
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 3);
-  // libQGLViewer sets matrices as old OpenGL does.
   format.setProfile(QSurfaceFormat::CompatibilityProfile);
+  format.setOption(QSurfaceFormat::DeprecatedFunctions);
   format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
   setFormat(format);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -238,7 +241,10 @@ void Viewer_3::paint(int samples) {
 
 void Viewer_3::paintGL() {
   QGLViewer::paintGL();
-  QPainter painter(this);
+  // A painter on the widget itself would miss the picture when the whole window is grabbed.
+  QOpenGLPaintDevice device((QSizeF(size()) * devicePixelRatioF()).toSize());
+  device.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&device);
   painter.setRenderHint(QPainter::Antialiasing);
   paint_color_bars(painter, scene_, width(), height());
 }

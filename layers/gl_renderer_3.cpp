@@ -190,6 +190,9 @@ void Gl_renderer_3::State::end() {
     glBindTexture(GL_TEXTURE_1D, 0);
     glBindTexture(GL_TEXTURE_BUFFER, 0);
   }
+  glStencilFunc(GL_ALWAYS, 0, ~0U);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glBindVertexArray(0);
   glUseProgram(0);
 }

@@ -77,6 +77,8 @@ int run_window(int argc, char** argv, const Program_identity& identity,
   constexpr int minor = 3;
   format.setVersion(major, minor);
   format.setProfile(identity.profile);
+  // Without this one gets no compatibility, whatever the profile.
+  format.setOption(QSurfaceFormat::DeprecatedFunctions, identity.profile == QSurfaceFormat::CompatibilityProfile);
   QSurfaceFormat::setDefaultFormat(format);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
