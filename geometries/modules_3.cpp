@@ -2,6 +2,7 @@
 #include "geometries/modules_3.h"
 
 #include "geometries/delaunay_3/module.h"
+#include "geometries/delaunay_parts_3/module.h"
 #include "geometries/inputs_3/module.h"
 #include "geometries/medial_filtrations_3/module.h"
 #include "geometries/power_crust_3/module.h"
@@ -19,6 +20,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_inputs_3(*registry);
   register_samples_3(*registry);
   register_delaunay_3(*registry);
+  register_delaunay_parts_3(*registry);
   register_power_crust_3(*registry);
   register_union_3(*registry);
   register_medial_filtrations_3(*registry);

@@ -49,6 +49,8 @@ const std::set<std::string> promised_layers = {"mesh",
                                                "samples",
                                                "delaunay",
                                                "voronoi",
+                                               "convex-hull",
+                                               "gabriel-complex",
                                                "inner-poles",
                                                "outer-poles",
                                                "power-crust",
@@ -121,8 +123,8 @@ TEST(Registry_3, EveryLayerIsComputedOfAMesh) {
 
 TEST(Registry_3, EveryLayerIsComputedOfBalls) {
   expect_layers(Inputs().with(balls_input, balls_of_all_kinds()),
-                {"mesh", "points", "solid", "samples", "delaunay", "voronoi", "inner-poles", "outer-poles",
-                 "power-crust", "power-shape"});
+                {"mesh", "points", "solid", "samples", "delaunay", "voronoi", "convex-hull", "gabriel-complex",
+                 "inner-poles", "outer-poles", "power-crust", "power-shape"});
 }
 
 TEST(Registry_3, EveryLayerIsComputedOfPoints) {
