@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Pictures of mesecina3d without a display.
+. "$(dirname "$0")/common.sh" "$@"
+
+printf '%s\n' '-1 0 0 1' '1 0 0 1' >two.cin
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >tetrahedron.off
+pixel() { convert "$1" -depth 8 -crop 1x1+"$2"+"$3" -format '%[hex:u.p{0,0}]' info: 2>/dev/null; }  # pixel FILE COLUMN ROW
+size_of() { identify -format '%wx%h' "$1"; }
+expect_size() { [ "$(size_of "$1")" = "$2" ] || fail "expected $1 to be $2, found $(size_of "$1")"; }
+expect_white() { case $(pixel "$@") in FFFFFF*) ;; *) fail "expected $1 white at $2 $3, found $(pixel "$@")" ;; esac; }
+expect_painted() { case $(pixel "$@") in FFFFFF*) fail "expected $1 painted at $2 $3" ;; *) ;; esac; }
+
+# One picture with all layers, beside the other formats, the same bytes every time.
+succeed --nogui two.cin --layers given-balls,medial-axis --formats json,png --size 320x240 --output one
+expect_file one/two.given-balls.json
+expect_size one/two.png 320x240
+expect_painted one/two.png 120 120
+expect_white one/two.png 3 3
+succeed --nogui two.cin --layers given-balls,medial-axis --formats png --size 320x240 --output two
+expect_same one/two.png two/two.png
+
+# The view: along the row the one ball hides the other.
+cat >along.json <<'END'
+{"camera": {"position": [10, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0], "projection": "orthographic", "height": 4}}
+END
+succeed --nogui two.cin --layers given-balls --formats png --size 200x200 --view along.json --output along
+expect_painted along/two.png 100 56
+expect_white along/two.png 100 44
+expect_painted along/two.png 144 100
+expect_white along/two.png 156 100
+expect_different one/two.png along/two.png
+
+# Cut open, and without a background.
+sed 's/}$/, "cutting-plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}/' along.json >cut.json
+succeed --nogui two.cin --layers given-balls --formats png --size 200x200 --view cut.json --transparent --output cut
+[ "$(pixel cut/two.png 100 70)" = 00000000 ] || fail "expected nothing above the plane, found $(pixel cut/two.png 100 70)"
+case $(pixel cut/two.png 100 130) in *FF) ;; *) fail "expected the ball below the plane" ;; esac
+
+# Looks, of several inputs at a time, larger than a tile.
+succeed --nogui two.cin tetrahedron.off --layers mesh,given-balls --style mesh.edges=true --style mesh.opacity=0.5 \
+  --style given-balls.filled=false --formats png --size 2600x300 --jobs 2 --log error --output wide
+expect_size wide/tetrahedron.png 2600x300
+expect_painted wide/tetrahedron.png 1300 150
+
+# A bad view is refused before anything is computed.
+for text in '{}' 'nonsense' '{"camera": {"position": [0, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0]}}'; do
+  echo "$text" >bad.json
+  run --nogui two.cin --formats png --view bad.json --output bad
+  expect_status 2
+  expect_in stderr '--view bad.json: expected'
+  expect_no_file bad
+done
+
+# Without OpenGL there is a reason, and everything else is written.
+export __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null
+run --nogui two.cin --layers given-balls --formats json,png --output without
+expect_status 1
+expect_in stderr 'no pictures:'
+expect_file without/two.given-balls.json
+expect_no_file without/two.png
