@@ -8,6 +8,7 @@
 #include "geometries/power_crust_3/module.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
+#include "geometries/sides_3/module.h"
 #include "geometries/surface_3/module.h"
 #include "geometries/surface_error_3/module.h"
 #include "geometries/union_3/module.h"
@@ -22,6 +23,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_delaunay_3(*registry);
   register_delaunay_parts_3(*registry);
   register_power_crust_3(*registry);
+  register_sides_3(*registry);
   register_union_3(*registry);
   register_medial_filtrations_3(*registry);
   register_scale_axis_3(*registry);

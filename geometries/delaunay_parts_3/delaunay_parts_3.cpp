@@ -37,9 +37,10 @@ class Gabriel_finder {
 
   /// The nearest sites on both sides of a triangle tell.
   bool is_gabriel_triangle(int cell, int place) const {
-    const auto [a, b, c] = corners_across(triangulation_, cell, place);
+    const auto triangle = corners_across(triangulation_, cell, place);
     const auto is_taken_by = [&](int site) {
-      return CGAL::side_of_bounded_sphere(point(a), point(b), point(c), point(site)) == CGAL::ON_BOUNDED_SIDE;
+      return CGAL::side_of_bounded_sphere(point(triangle[0]), point(triangle[1]), point(triangle[2]), point(site)) ==
+             CGAL::ON_BOUNDED_SIDE;
     };
     const auto& corners = triangulation_.cells[cell];
     if (is_taken_by(corners[place])) return false;

@@ -1,54 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/outcome.h"
 #include "geometries/pole_labelling.h"
+#include "geometries/power_crust_3/pole_neighbors_3.h"
 #include "geometries/power_crust_3/power_crust_3.h"
 #include "geometries/scatter.h"
 
 namespace mesecina {
 
 namespace {
-
-/// Per ball its neighbours in the regular triangulation, ascending.
-struct Neighbors {
-  std::vector<int> offsets;
-  std::vector<int> balls;
-  std::span<const int> of(int ball) const {
-    return std::span(balls).subspan(offsets[ball], offsets[ball + 1] - offsets[ball]);
-  }
-};
-
-Neighbors find_neighbors(const Regular_3& regular) {
-  const auto for_each_pair = [&](const auto& function) {
-    for (const auto& corners : regular.cells)
-      for (const int a : corners)
-        for (const int b : corners)
-          if (a >= 0 && b >= 0 && a != b) function(a, b);
-  };
-  const std::size_t count = regular.balls.size();
-  std::vector<int> offsets(count + 1, 0);
-  for_each_pair([&](int a, int) { ++offsets[a + 1]; });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  // Each pair as often as there are cells around it.
-  std::vector<int> repeated(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for_each_pair([&](int a, int b) { repeated[next[a]++] = b; });
-  Neighbors result;
-  result.offsets.push_back(0);
-  for (std::size_t ball = 0; ball < count; ++ball) {
-    const auto begin = repeated.begin() + offsets[ball];
-    const auto end = repeated.begin() + offsets[ball + 1];
-    std::sort(begin, end);
-    result.balls.insert(result.balls.end(), begin, std::unique(begin, end));
-    result.offsets.push_back(static_cast<int>(result.balls.size()));
-  }
-  return result;
-}
 
 Point_3 unit_vector(const Point_3& from, const Point_3& to) { return (1 / distance(from, to)) * (to - from); }
 
@@ -63,7 +27,7 @@ int shared_contact(const Poles_3& poles, int a, int b) {
 }
 
 void find_labels(const Poles_3& poles, const Regular_3& regular, Polar_balls_3& result, const Progress& progress) {
-  const Neighbors neighbors = find_neighbors(regular);
+  const Ball_neighbors_3 neighbors = neighbors_of_balls(regular);
   Pole_labelling labelling(poles.size());
   for (int p = static_cast<int>(poles.finite_count); p < static_cast<int>(poles.size()); ++p) labelling.add_outer(p);
   labelling.run(result.is_inner, result.confidence, progress, [&](int pole, const auto& offer) {

@@ -55,6 +55,10 @@ const std::set<std::string> promised_layers = {"mesh",
                                                "outer-poles",
                                                "power-crust",
                                                "power-shape",
+                                               "inner-voronoi-vertices",
+                                               "outer-voronoi-vertices",
+                                               "inner-delaunay",
+                                               "inner-voronoi",
                                                "balls",
                                                "regular-triangulation",
                                                "dual-faces",
@@ -124,7 +128,8 @@ TEST(Registry_3, EveryLayerIsComputedOfAMesh) {
 TEST(Registry_3, EveryLayerIsComputedOfBalls) {
   expect_layers(Inputs().with(balls_input, balls_of_all_kinds()),
                 {"mesh", "points", "solid", "samples", "delaunay", "voronoi", "convex-hull", "gabriel-complex",
-                 "inner-poles", "outer-poles", "power-crust", "power-shape"});
+                 "inner-poles", "outer-poles", "power-crust", "power-shape", "outer-voronoi-vertices",
+                 "inner-voronoi-vertices", "inner-delaunay", "inner-voronoi"});
 }
 
 TEST(Registry_3, EveryLayerIsComputedOfPoints) {
