@@ -48,7 +48,7 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
 
 }  // namespace
 
-Main_window_2::Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
+Main_window_2::Main_window_2(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup)
     : Program_window(
           QStringLiteral("mesecina2d"), registry, std::move(formats), first_state(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at(*registry, inputs, layers); }) {

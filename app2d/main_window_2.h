@@ -25,7 +25,7 @@ namespace mesecina {
 class Main_window_2 : public Program_window {
   Q_OBJECT
  public:
-  Main_window_2(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup);
+  Main_window_2(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup);
   ~Main_window_2() override;
 
   Canvas_2& canvas() { return *canvas_; }

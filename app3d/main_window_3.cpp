@@ -29,7 +29,7 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
 
 }  // namespace
 
-Main_window_3::Main_window_3(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup)
+Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup)
     : Program_window(
           QStringLiteral("mesecina3d"), registry, std::move(formats), first_state(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at_3(*registry, inputs, layers); }) {

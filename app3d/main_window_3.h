@@ -17,7 +17,7 @@ namespace mesecina {
 class Main_window_3 : public Program_window {
   Q_OBJECT
  public:
-  Main_window_3(std::shared_ptr<const Registry> registry, Formats formats, const Startup& startup);
+  Main_window_3(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup);
   ~Main_window_3() override;
 
   /// Null without OpenGL.

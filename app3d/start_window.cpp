@@ -6,13 +6,13 @@
 
 namespace mesecina {
 
-int start_window(int argc, char** argv, const Command_line& command_line, std::shared_ptr<const Registry> registry,
-                 Formats formats) {
+int start_window(int argc, char** argv, const Command_line& command_line,
+                 const std::shared_ptr<const Registry>& registry, Formats formats) {
   const Program_identity identity{QStringLiteral("mesecina3d"), QStringLiteral(MESECINA_VERSION),
                                   QSurfaceFormat::CompatibilityProfile};
   return run_window(argc, argv, identity, [&]() -> std::unique_ptr<Program_window> {
     const Startup startup{command_line.files, command_line.layers, command_line.settings};
-    return std::make_unique<Main_window_3>(std::move(registry), std::move(formats), startup);
+    return std::make_unique<Main_window_3>(registry, std::move(formats), startup);
   });
 }
 

@@ -8,7 +8,7 @@
 namespace mesecina {
 
 /// Opens the window and runs the program until it is closed. Returns the exit code.
-int start_window(int argc, char** argv, const Command_line& command_line, std::shared_ptr<const Registry> registry,
-                 Formats formats);
+int start_window(int argc, char** argv, const Command_line& command_line,
+                 const std::shared_ptr<const Registry>& registry, Formats formats);
 
 }  // namespace mesecina

@@ -3,6 +3,8 @@
 
 #include <QGLViewer/manipulatedCameraFrame.h>
 
+#include <QCloseEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLPaintDevice>
@@ -10,6 +12,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -99,8 +102,22 @@ void Viewer_3::set_overlay(std::vector<Scene_layer> overlay) {
   QOpenGLWidget::update();
 }
 
-void Viewer_3::set_cutting_plane(std::optional<Cutting_plane_3> plane) {
-  cutting_plane_ = std::move(plane);
+void Viewer_3::set_tool(Viewer_tool_3* tool) {
+  tool_ = tool;
+  is_tool_dragging_ = false;
+  QOpenGLWidget::update();
+}
+
+Id_picture Viewer_3::ids_of(const Scene& scene) {
+  if (!renderer_) return {};
+  makeCurrent();
+  Id_picture ids = renderer_->ids(scene, view(), frame());
+  doneCurrent();
+  return ids;
+}
+
+void Viewer_3::set_cutting_plane(const std::optional<Cutting_plane_3>& plane) {
+  cutting_plane_ = plane;
   moved();
 }
 
@@ -234,6 +251,7 @@ void Viewer_3::paint(int samples) {
   if (!is_resting_) here.most_translucent_layers = layers_while_moving;
   std::vector<Scene_layer> above = overlay_;
   if (pivot_) above.push_back(*pivot_);
+  if (tool_) std::ranges::move(tool_->overlay(), std::back_inserter(above));
   Scene shown = scene_;
   shown.transparent_background = false;
   renderer_->draw(shown, above, view(), here);
@@ -246,6 +264,7 @@ void Viewer_3::paintGL() {
   device.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&device);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (tool_) tool_->paint(painter);
   paint_color_bars(painter, scene_, width(), height());
 }
 
@@ -278,7 +297,8 @@ void Viewer_3::show_pivot() {
 
 void Viewer_3::mousePressEvent(QMouseEvent* event) {
   Q_EMIT left();
-  QGLViewer::mousePressEvent(event);
+  is_tool_dragging_ = is_tool_dragging_ || (tool_ && tool_->press(*event));
+  if (!is_tool_dragging_) QGLViewer::mousePressEvent(event);
 }
 
 void Viewer_3::mouseMoveEvent(QMouseEvent* event) {
@@ -286,12 +306,26 @@ void Viewer_3::mouseMoveEvent(QMouseEvent* event) {
     Q_EMIT hovered(event->position());
     return;
   }
-  QGLViewer::mouseMoveEvent(event);
+  if (is_tool_dragging_) {
+    tool_->drag(*event);
+  } else {
+    QGLViewer::mouseMoveEvent(event);
+  }
 }
 
-void Viewer_3::mouseReleaseEvent(QMouseEvent* event) { QGLViewer::mouseReleaseEvent(event); }
+void Viewer_3::mouseReleaseEvent(QMouseEvent* event) {
+  if (std::exchange(is_tool_dragging_, false)) {
+    tool_->release(*event);
+  } else {
+    QGLViewer::mouseReleaseEvent(event);
+  }
+}
 
 void Viewer_3::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (tool_ && tool_->double_click(*event)) {
+    is_tool_dragging_ = true;
+    return;
+  }
   if (event->button() != Qt::LeftButton) return;
   if (const auto hit = pick(event->position(), 0)) {
     camera()->setPivotPoint(to_vec(hit->place));
@@ -300,6 +334,10 @@ void Viewer_3::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewer_3::wheelEvent(QWheelEvent* event) {
+  if (tool_ && tool_->wheel(*event)) {
+    event->accept();
+    return;
+  }
   constexpr double eighths_per_notch = 120;
   const double notches = event->angleDelta().y() / eighths_per_notch;
   if (notches != 0) zoom_about(place_under(event->position()), std::pow(zoom_per_notch, notches));
@@ -311,10 +349,10 @@ void Viewer_3::leaveEvent(QEvent* event) {
   Q_EMIT left();
 }
 
-// Keys belong to the actions of the window.
-void Viewer_3::keyPressEvent(QKeyEvent* event) { QOpenGLWidget::keyPressEvent(event); }
-void Viewer_3::keyReleaseEvent(QKeyEvent* event) { QOpenGLWidget::keyReleaseEvent(event); }
-void Viewer_3::closeEvent(QCloseEvent* event) { QOpenGLWidget::closeEvent(event); }
+// Keys belong to the actions of the window, and what is kept between runs to its preferences.
+void Viewer_3::keyPressEvent(QKeyEvent* event) { event->ignore(); }
+void Viewer_3::keyReleaseEvent(QKeyEvent* event) { event->ignore(); }
+void Viewer_3::closeEvent(QCloseEvent* event) { event->accept(); }
 
 QImage Viewer_3::grab_picture() {
   is_resting_ = true;

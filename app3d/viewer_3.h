@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app3d/viewer_tool_3.h"
 #include "layers/gl_renderer_3.h"
 
 namespace mesecina {
@@ -24,10 +25,14 @@ class Viewer_3 : public QGLViewer {
   const Scene& scene() const { return scene_; }
   /// Drawn above the scene; cannot be picked.
   void set_overlay(std::vector<Scene_layer> overlay);
+  /// Gets the mouse first from now on; null for none. Must live until another is set.
+  void set_tool(Viewer_tool_3* tool);
+  /// What is seen of another scene than the shown one, from the same view. Costs a picture.
+  Id_picture ids_of(const Scene& scene);
 
   View_3 view() const;
   void set_view(const View_3& view);
-  void set_cutting_plane(std::optional<Cutting_plane_3> plane);
+  void set_cutting_plane(const std::optional<Cutting_plane_3>& plane);
   /// Shows the whole box from where it is seen now.
   void fit(const Box& box);
   /// Shows the whole scene from this direction, which points towards the viewer.
@@ -82,6 +87,8 @@ class Viewer_3 : public QGLViewer {
 
   Scene scene_;
   std::vector<Scene_layer> overlay_;
+  Viewer_tool_3* tool_ = nullptr;
+  bool is_tool_dragging_ = false;
   std::optional<Cutting_plane_3> cutting_plane_;
   bool is_software_ = false;
   bool has_failed_ = false;

@@ -93,6 +93,7 @@ Style_editor::Style_editor(QWidget* parent) : QWidget(parent) {
   grid->setVerticalSpacing(em / 5);
   grid->setColumnStretch(1, 1);
   build_color_row(grid);
+  build_space_row(grid);
   opacity_ = build_slider_row(grid, tr("Opacity"), tr("From 0 % (transparent) to 100 %"), 0, 100, 1,
                               QStringLiteral(" %"), 100, &Style::opacity);
   point_size_ = build_slider_row(grid, tr("Point size"), tr("Diameter of points in pixels"), 0, 30, 0.5,
@@ -124,22 +125,50 @@ void Style_editor::build_color_row(QGridLayout* grid) {
   color_button_->setAccessibleName(tr("Colour"));
   const int em = fontMetrics().height();
   color_button_->setIconSize(QSize(em * 5 / 4, em * 3 / 4));
-  filled_box_ = new QCheckBox(tr("Filled"), box);
-  filled_box_->setToolTip(
-      tr("Paint the inside of disks, triangles, polygons and closed curves of arcs; else only their outline"));
+  const QString filled_tip =
+      tr("Paint the inside of disks, triangles, polygons and closed curves of arcs; else only their outline");
+  QCheckBox* filled =
+      build_switch(box, tr("Filled"), filled_tip, &Style::filled, tr("Filling"), QStringLiteral("filled"));
   layout->addWidget(color_button_, 1);
   layout->addSpacing(em / 2);
-  layout->addWidget(filled_box_);
+  layout->addWidget(filled);
   add_row(grid, tr("Colour"), box, tr("Colour of all elements that no value gives one"))->setBuddy(color_button_);
-  filled_box_->setToolTip(
-      tr("Paint the inside of disks, triangles, polygons and closed curves of arcs; else only their outline"));
+  // The row has the tool tip of the colour.
+  filled->setToolTip(filled_tip);
   connect(color_button_, &QPushButton::clicked, this, &Style_editor::open_color_dialog);
-  connect(filled_box_, &QCheckBox::clicked, this, [this] {
-    filled_box_->setTristate(false);
+}
+
+QCheckBox* Style_editor::build_switch(QWidget* parent, const QString& label, const QString& tool_tip,
+                                      bool Style::*member, const QString& step, const QString& property) {
+  auto* box = new QCheckBox(label, parent);
+  box->setToolTip(tool_tip);
+  connect(box, &QCheckBox::clicked, this, [this, box, member, step, property] {
+    box->setTristate(false);
     end_gesture();
-    const bool is_filled = filled_box_->isChecked();
-    edit([is_filled](Style& style) { style.filled = is_filled; }, tr("Filling"), QStringLiteral("filled"));
+    const bool is_on = box->isChecked();
+    edit([member, is_on](Style& style) { style.*member = is_on; }, step, property);
   });
+  switches_.push_back({box, member});
+  return box;
+}
+
+void Style_editor::build_space_row(QGridLayout* grid) {
+  space_row_ = new QWidget(this);
+  auto* layout = new QGridLayout(space_row_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(build_switch(space_row_, tr("Edges"), tr("Draw the edges of filled triangles and polygons"),
+                                 &Style::edges, tr("Edges"), QStringLiteral("edges")),
+                    0, 0);
+  layout->addWidget(build_switch(space_row_, tr("Smooth"), tr("Shade as if surfaces were smooth"), &Style::smooth,
+                                 tr("Shading"), QStringLiteral("smooth")),
+                    0, 1);
+  layout->addWidget(build_switch(space_row_, tr("Vertices"), tr("Draw points also where other elements end"),
+                                 &Style::vertices, tr("Vertices"), QStringLiteral("vertices")),
+                    1, 0);
+  layout->addWidget(build_switch(space_row_, tr("Sliced"), tr("The cutting plane takes parts of this layer away"),
+                                 &Style::sliced, tr("Slicing"), QStringLiteral("sliced")),
+                    1, 1);
+  space_label_ = add_row(grid, tr("In space"), space_row_, {});
 }
 
 Style_editor::Slider_row Style_editor::build_slider_row(QGridLayout* grid, const QString& label,

@@ -73,9 +73,17 @@ class Style_editor : public QWidget {
     Automatic_dot* minimum_dot = nullptr;
     Automatic_dot* maximum_dot = nullptr;
   };
+  struct Switch {
+    QCheckBox* box = nullptr;
+    bool Style::*member = nullptr;
+  };
   using Member = std::optional<double> Style::*;
 
   void build_color_row(QGridLayout* grid);
+  void build_space_row(QGridLayout* grid);
+  /// `property` names the step of undo among those of one gesture.
+  QCheckBox* build_switch(QWidget* parent, const QString& label, const QString& tool_tip, bool Style::*member,
+                          const QString& step, const QString& property);
   Slider_row build_slider_row(QGridLayout* grid, const QString& label, const QString& tool_tip, double lowest,
                               double highest, double unit, const QString& suffix, double scale, double Style::*member);
   void build_value_rows(QGridLayout* grid);
@@ -88,6 +96,7 @@ class Style_editor : public QWidget {
   void open_color_dialog();
   void refresh();
   void refresh_color();
+  void refresh_switches();
   void refresh_slider(const Slider_row& row, double Style::*member, double scale);
   void refresh_value_choice();
   void refresh_limits(const Limits_row& row, Member minimum, Member maximum,
@@ -108,7 +117,9 @@ class Style_editor : public QWidget {
   int gesture_ = 0;
   bool is_outdated_ = false;  ///< there was no need to refresh while hidden
   QPushButton* color_button_ = nullptr;
-  QCheckBox* filled_box_ = nullptr;
+  std::vector<Switch> switches_;
+  QWidget* space_row_ = nullptr;  ///< what only layers in space have
+  QLabel* space_label_ = nullptr;
   Slider_row opacity_, point_size_, line_width_;
   QComboBox* value_combo_ = nullptr;
   QLabel* color_map_label_ = nullptr;

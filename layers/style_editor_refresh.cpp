@@ -52,18 +52,25 @@ std::vector<std::string> Style_editor::offered_values() const {
   return names;
 }
 
+void Style_editor::refresh_switches() {
+  for (const Switch& entry : switches_) {
+    const QSignalBlocker blocker(entry.box);
+    const std::optional<bool> is_on = common(entry.member);
+    const bool is_mixed = !is_on && !subjects_.empty();
+    entry.box->setTristate(is_mixed);
+    entry.box->setCheckState(is_mixed ? Qt::PartiallyChecked : is_on.value_or(false) ? Qt::Checked : Qt::Unchecked);
+  }
+  const bool is_in_space = std::any_of(subjects_.begin(), subjects_.end(), [](const Subject& subject) {
+    return subject.layer.primitives && subject.layer.primitives->dimension == 3;
+  });
+  space_row_->setVisible(is_in_space);
+  space_label_->setVisible(is_in_space);
+}
+
 void Style_editor::refresh() {
   setEnabled(!subjects_.empty());
   refresh_color();
-  {
-    const QSignalBlocker blocker(filled_box_);
-    const std::optional<bool> is_filled = common(&Style::filled);
-    const bool is_mixed = !is_filled && !subjects_.empty();
-    filled_box_->setTristate(is_mixed);
-    filled_box_->setCheckState(is_mixed                    ? Qt::PartiallyChecked
-                               : is_filled.value_or(false) ? Qt::Checked
-                                                           : Qt::Unchecked);
-  }
+  refresh_switches();
   refresh_slider(opacity_, &Style::opacity, 100);
   refresh_slider(point_size_, &Style::point_size, 1);
   refresh_slider(line_width_, &Style::line_width, 1);

@@ -178,9 +178,9 @@ void Program_window::make_undo_actions(const QIcon& undo_icon, const QIcon& redo
 }
 
 void Program_window::make_layer_actions() {
-  const auto add = [&](const char* id, const QString& text, const QString& tip, QKeySequence key,
+  const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key,
                        std::function<void()> run) {
-    actions_->add(tr("View"), {QLatin1String(id), text, tip, {std::move(key)}}, std::move(run));
+    actions_->add(tr("View"), {QLatin1String(id), text, tip, {key}}, std::move(run));
   };
   add("toggle-layers", tr("Show or &hide layers"), tr("Show or hide the layers selected in the list"),
       QKeySequence(Qt::Key_H), [this] { layer_panel_->toggle_visibility(); });

@@ -50,6 +50,28 @@ TEST_F(Style_fields, change_applies_to_all_selected) {
   EXPECT_EQ(text_of(named<Number_field>("Opacity"))->text(), "40 %");
 }
 
+TEST_F(Style_fields, switches_of_space_are_there_for_layers_in_space_only) {
+  const auto box = [&](const char* text) -> QCheckBox* {
+    for (auto* candidate : panel_.findChildren<QCheckBox*>())
+      if (candidate->text() == QLatin1String(text)) return candidate;
+    return nullptr;
+  };
+  panel_.set_primitives("b", make_points());
+  panel_.select({"b"});
+  EXPECT_FALSE(box("Edges")->isVisible());
+  auto in_space = std::make_shared<Primitive_set>(*make_points());
+  in_space->dimension = 3;
+  panel_.set_primitives("b", in_space);
+  EXPECT_TRUE(box("Edges")->isVisible());
+  EXPECT_FALSE(box("Edges")->isChecked());
+  EXPECT_TRUE(box("Sliced")->isChecked());
+  box("Edges")->click();
+  box("Sliced")->click();
+  EXPECT_TRUE(style("b").edges);
+  EXPECT_FALSE(style("b").sliced);
+  EXPECT_FALSE(style("b").smooth || style("b").vertices || style("a").edges);
+}
+
 TEST_F(Style_fields, mixed_values_are_shown_as_such) {
   Layer_list layers = panel_.layers();
   find_entry(layers, "b")->style.line_width = 4;
