@@ -27,7 +27,7 @@ struct Delaunay_3 {
 /// there several cells have the same Voronoi vertex, each with its own rounding. Coordinates must be finite. O(n log n)
 /// for points of a surface, about 600 bytes per point. Throws Cancelled, and Unavailable where there is no tetrahedron:
 /// fewer than four sites, or all in one plane.
-Delaunay_3 delaunay(std::vector<Point_3> points, Progress& progress);
+Delaunay_3 delaunay(const std::vector<Point_3>& points, Progress& progress);
 
 /// Per cell the least cell that has the same sphere, decided exactly: cells with one sphere are one Voronoi vertex.
 /// O(n).

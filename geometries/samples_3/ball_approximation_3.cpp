@@ -10,8 +10,8 @@
 
 #include "core/outcome.h"
 #include "geometries/parallel.h"
-#include "geometries/samples_3/graded_grid_3.h"
 #include "geometries/samples_3/refine_samples_3.h"
+#include "geometries/samples_3/union_defects_3.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -26,14 +26,9 @@ class Approximation {
   Ball_approximation_3 compute() {
     sample_evenly();
     settle(most_rounds);
-    take(current_.poles);
-    int vain_rounds = 0;
-    for (int round = 0; round < most_thin_rounds && !is_right() && vain_rounds < most_vain_rounds; ++round) {
-      const bool is_better = take(with_thin_cells());
-      if (is_right() || even_count_ > most_samples_of_thin || !refine(true)) break;
-      settle(most_thin_rounds);
-      vain_rounds = take(current_.poles) || is_better ? 0 : vain_rounds + 1;
-    }
+    std::size_t count = 0;
+    while (look() && count < most_balls_of_repairs && vain_rounds_ < most_vain_rounds && repair())
+      count += best_->balls.size();
     if (!best_)
       throw Unavailable("no Voronoi vertex of the " + std::to_string(even_count_) +
                         " samples lies inside: the solid is thinner than delta; choose a smaller delta");
@@ -42,15 +37,24 @@ class Approximation {
 
  private:
   static constexpr int most_rounds = 10;
-  static constexpr int most_vain_rounds = 2;
-  static constexpr int most_thin_rounds = 3;
-  /// Of more, none are added in thin parts.
-  static constexpr std::size_t most_samples_of_thin = 50'000;
-  static constexpr int most_pit_rounds = 2;
+  static constexpr int most_vain_rounds = 6;
+  /// In all rounds together.
+  static constexpr std::size_t most_balls_of_repairs = 1'000'000;
+  static constexpr int most_rounds_of_repair = 3;
   static constexpr double gap_part = 0.32;
+  /// How deep the boundary of the union may lie in the solid, and how far out of it.
   static constexpr double pit_part = 0.38;
+  /// Smaller balls between the others would never end.
+  static constexpr double least_loose_part = 0.004;
   static constexpr double finest_part = 1.0 / 8;
-  static constexpr double finest_part_of_thin = 1.0 / 64;
+  static constexpr double finest_part_of_repair = 1.0 / 16;
+
+  /// How far a union is from what it should be; less is better.
+  struct Faults {
+    std::int64_t betti = 0;  ///< sum of the differences of Betti numbers
+    std::size_t places = 0;  ///< where the boundaries are too far from each other
+    auto operator<=>(const Faults&) const = default;
+  };
 
   /// Samples of a thin solid may all lie in a plane; then there are more.
   void sample_evenly() {
@@ -58,10 +62,11 @@ class Approximation {
     constexpr std::size_t most_in_plane = 50'000;
     double spacing = distance_;
     for (int halving = 0;; ++halving) {
+      current_ = {};
       current_.samples = sample_surface(solid_.surface, spacing, progress_);
       even_count_ = current_.samples.points.size();
       try {
-        triangulate_samples(current_, solid_, progress_);
+        current_.triangulate(solid_, progress_);
         return;
       } catch (const Unavailable& reason) {
         if (halving == most_halvings || even_count_ > most_in_plane)
@@ -74,19 +79,17 @@ class Approximation {
 
   void settle(int rounds) {
     for (int round = 0; round < rounds; ++round)
-      if (!refine(false)) return;
+      if (!refine({}, finest_part)) return;
   }
-  /// Whether samples were added.
-  bool refine(bool also_thin_parts) {
+  /// Adds samples, around some more than elsewhere. Returns whether there were any.
+  bool refine(std::span<const int> crowded, double part) {
     progress_.begin_stage("more samples");
-    const double finest = (also_thin_parts ? finest_part_of_thin : finest_part) * distance_;
-    std::vector<double> wanted = wanted_spacing(current_, also_thin_parts, finest);
-    if (is_too_much(wanted)) {
-      is_exhausted_ = true;
-      wanted = current_.samples.spacing;
-    }
+    std::vector<double> wanted = wanted_spacing(current_, crowded, part * distance_);
+    if (is_too_much(wanted)) wanted = current_.samples.spacing;
     if (add_samples(current_, solid_.surface, wanted, gap_part * distance_, progress_) == 0) return false;
-    triangulate_samples(current_, solid_, progress_);
+    const std::vector<int> renewed = current_.triangulate(solid_, progress_);
+    std::erase_if(fillings_, [&](int c) { return std::ranges::binary_search(renewed, c); });
+    std::erase_if(shrunk_, [&](int c) { return std::ranges::binary_search(renewed, c); });
     return true;
   }
 
@@ -101,43 +104,43 @@ class Approximation {
     return count > factor * static_cast<double>(even_count_) + always;
   }
 
-  std::vector<int> with_thin_cells() {
-    constexpr double factor = 2;
-    std::vector<int> cells = current_.poles;
-    std::vector<int> thin = thin_cells(current_.samples, current_.delaunay, factor);
-    std::vector<Point_3> centers;
-    centers.reserve(thin.size());
-    for (const int c : thin) centers.push_back(current_.delaunay.circumcenters[c]);
-    const auto inside = are_inside(solid_, centers, progress_);
-    for (std::size_t i = 0; i < thin.size(); ++i)
-      if (inside[i] != 0) cells.push_back(thin[i]);
-    return cells;
-  }
-
-  /// Keeps the balls of the cells if their union is nearer to the topology of the solid than the best until now, with
-  /// further ones where it has pits. Returns whether.
-  bool take(std::vector<int> cells) {
+  /// Makes the union of the balls, keeps it if it is the best until now, and notes what is wrong with it. Returns
+  /// whether something is.
+  bool look() {
+    std::vector<int> cells = current_.poles();
+    cells.insert(cells.end(), fillings_.begin(), fillings_.end());
     make_unique(cells);
     Ball_approximation_3 next = union_of(cells);
     if (next.balls.empty()) return false;
-    std::int64_t difference = difference_to_solid(*next.dual);
-    if (best_ && difference >= difference_) return false;
-    for (int round = 0; round < most_pit_rounds; ++round) {
-      const std::vector<int> more = cells_in_pits(next, cells);
-      if (more.empty()) break;
-      cells.insert(cells.end(), more.begin(), more.end());
-      make_unique(cells);
-      Ball_approximation_3 filled = union_of(cells);
-      const std::int64_t its_difference = difference_to_solid(*filled.dual);
-      if (its_difference > difference) break;
-      next = std::move(filled);
-      difference = its_difference;
+    ++vain_rounds_;
+    places_.clear();
+    crowded_.clear();
+    has_shrunk_ = false;
+    Faults faults;
+    faults.betti = difference_to_solid(*next.dual);
+    find_bumps(cells);
+    find_pits(next, cells);
+    faults.places = places_.size() + crowded_.size();
+    if (faults.betti != 0) find_defects(next, cells);
+    if (!best_ || faults < faults_) {
+      faults_ = faults;
+      vain_rounds_ = 0;
+      next.samples = current_.samples;
+      next.even_sample_count = even_count_;
+      best_ = std::move(next);
     }
-    difference_ = difference;
-    next.samples = current_.samples;
-    next.even_sample_count = even_count_;
-    next.is_exhausted = is_exhausted_ && difference != 0;
-    best_ = std::move(next);
+    best_->is_exhausted = faults_.betti != 0;
+    return !places_.empty() || !crowded_.empty() || has_shrunk_;
+  }
+
+  /// Adds balls, and samples where there are none to add. Returns whether there is anything new.
+  bool repair() {
+    const std::size_t count = fillings_.size() + loose_.size();
+    fill_places();
+    const bool is_filled = has_shrunk_ || fillings_.size() + loose_.size() > count;
+    make_unique(crowded_);
+    if (crowded_.empty() || !refine(crowded_, finest_part_of_repair)) return is_filled;
+    settle(most_rounds_of_repair);
     return true;
   }
 
@@ -149,87 +152,180 @@ class Approximation {
 
   Ball_approximation_3 union_of(const std::vector<int>& cells) {
     Ball_approximation_3 result;
-    result.balls = balls_of_cells(current_.delaunay, cells, perturbation_);
-    if (result.balls.empty()) return result;
+    result.balls = balls_of_cells(current_.delaunay(), cells, perturbation_);
+    const std::vector<int> nearest = nearest_samples(loose_);
+    const std::vector<double> depths = distances_to_surface(solid_, loose_, progress_);
+    for (std::size_t i = 0; i < loose_.size(); ++i) {
+      const double radius = nearest[i] >= 0 ? distance(loose_[i], current_.samples.points[nearest[i]]) : depths[i];
+      result.balls.push_back({moved(loose_[i], perturbation_ * radius, result.balls.size()), radius});
+    }
+    shrink(result.balls, cells);
     result.regular = std::make_shared<const Regular_3>(regular_triangulation(result.balls, progress_));
     result.dual = std::make_shared<const Dual_3>(dual_complex(result.regular, progress_));
     return result;
   }
 
-  /// Where the boundary of the union lies deep in the solid, it is deepest where three spheres meet. Per such place an
-  /// inner Voronoi vertex whose ball holds it, as deep as possible. `cells` are those of the balls.
-  std::vector<int> cells_in_pits(const Ball_approximation_3& balls, const std::vector<int>& cells) {
+  /// Small balls that reach far out of the solid; large ones do not, as they would hold samples.
+  void find_bumps(const std::vector<int>& cells) {
+    constexpr double largest = 2;
+    const Delaunay_3& delaunay = current_.delaunay();
+    std::vector<int> small;
+    std::vector<Point_3> centers;
+    for (const int c : cells) {
+      if (delaunay.circumradii[c] > largest * distance_) continue;
+      small.push_back(c);
+      centers.push_back(delaunay.circumcenters[c]);
+    }
+    const std::vector<double> depths = distances_to_surface(solid_, centers, progress_);
+    for (std::size_t i = 0; i < small.size(); ++i)
+      if (delaunay.circumradii[small[i]] - depths[i] > pit_part * distance_)
+        crowded_.insert(crowded_.end(), delaunay.cells[small[i]].begin(), delaunay.cells[small[i]].end());
+    make_unique(crowded_);
+  }
+
+  /// Where the boundary of the union lies deep in the solid: it is deepest where three spheres meet, or two.
+  void find_pits(const Ball_approximation_3& balls, const std::vector<int>& cells) {
     const double limit = pit_part * distance_;
     const Union_vertices_3 vertices = union_vertices(balls.dual, progress_);
     // Most lie next to a sample that one of their balls touches.
     std::vector<std::uint8_t> is_near(vertices.points.size(), 0);
     parallel_for(is_near.size(), progress_, [&](std::size_t v) {
       for (const int ball : vertices.balls_of(static_cast<int>(v)))
-        for (const int s : current_.delaunay.cells[cells[ball]])
-          if (squared_distance(vertices.points[v], current_.samples.points[s]) <= limit * limit) is_near[v] = 1;
+        if (ball < std::ssize(cells))
+          for (const int s : current_.delaunay().cells[cells[ball]])
+            if (squared_distance(vertices.points[v], current_.samples.points[s]) <= limit * limit) is_near[v] = 1;
     });
-    std::vector<int> nearest(vertices.points.size(), -1);
-    if (std::ranges::count(is_near, 0) > 0) {
-      Graded_grid_3 grid(current_.samples.covering_radius);
-      for (std::size_t s = 0; s < current_.samples.points.size(); ++s)
-        grid.add(current_.samples.points[s], current_.samples.spacing[s]);
-      parallel_for(nearest.size(), progress_, [&](std::size_t v) {
-        if (is_near[v] != 0) return;
-        const Point_3& p = vertices.points[v];
-        double least = 4 * distance_ * distance_;
-        grid.for_near(p, 2 * distance_, [&](int s) {
-          const double square = squared_distance(p, grid.point(s));
-          if (square >= least) return;
-          least = square;
-          nearest[v] = s;
-        });
-        if (least <= limit * limit) nearest[v] = -1;
-      });
-    }
-    std::vector<Point_3> places;
-    std::vector<int> samples;
-    for (std::size_t v = 0; v < nearest.size(); ++v) {
-      if (nearest[v] < 0) continue;
-      places.push_back(vertices.points[v]);
-      samples.push_back(nearest[v]);
-    }
-    const std::vector<double> depths = distances_to_surface(solid_, places, progress_);
-    std::vector<int> found;
-    std::vector<std::vector<int>> stars(depths.size());
-    std::vector<int> slot(current_.samples.points.size(), -1);
-    std::vector<int> wanted;
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-      if (depths[i] <= limit) continue;
-      if (slot[samples[i]] < 0) slot[samples[i]] = static_cast<int>(i);
-      wanted.push_back(static_cast<int>(i));
-    }
-    if (wanted.empty()) return found;
-    const Delaunay_3& delaunay = current_.delaunay;
-    for (std::size_t c = 0; c < delaunay.cells.size(); ++c)
-      for (const int s : delaunay.cells[c])
-        if (slot[s] >= 0) stars[slot[s]].push_back(static_cast<int>(c));
-    for (const int i : wanted) {
-      double deepest = 0;
-      int best = -1;
-      // The cells whose spheres hold a point are next to each other, some of them at its nearest sample.
-      for (const int c : stars[slot[samples[i]]]) {
-        const double depth = delaunay.circumradii[c] - mesecina::distance(places[i], delaunay.circumcenters[c]);
-        if (depth <= deepest) continue;
-        deepest = depth;
-        best = c;
+    std::vector<Point_3> candidates = deep_arc_points(*balls.regular, limit / 2, progress_);
+    for (std::size_t v = 0; v < is_near.size(); ++v)
+      if (is_near[v] == 0) candidates.push_back(vertices.points[v]);
+    const std::vector<int> nearest = nearest_samples(candidates);
+    std::vector<Point_3> open;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (nearest[i] >= 0 && distance(candidates[i], current_.samples.points[nearest[i]]) > limit)
+        open.push_back(candidates[i]);
+    const std::vector<double> depths = distances_to_surface(solid_, open, progress_);
+    std::vector<Point_3> deep;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      if (depths[i] > limit) deep.push_back(open[i]);
+    const auto inside = are_inside(solid_, deep, progress_);
+    for (std::size_t i = 0; i < deep.size(); ++i)
+      if (inside[i] != 0) places_.push_back(deep[i]);
+  }
+
+  void find_defects(const Ball_approximation_3& balls, const std::vector<int>& cells) {
+    std::vector<int> bridged;
+    for (const Union_defect_3& defect : union_defects(*balls.regular, solid_, distance_, progress_)) {
+      if (defect.is_hole) {
+        places_.push_back(defect.place);
+      } else {
+        for (const int ball : defect.balls)
+          if (ball >= 0) bridged.push_back(ball);
       }
-      if (best >= 0) found.push_back(best);
     }
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    const std::size_t before = shrunk_.size() + shrunk_loose_.size();
+    for (const int ball : bridged) {
+      if (ball < std::ssize(cells))
+        shrunk_.push_back(cells[ball]);
+      else
+        shrunk_loose_.push_back(ball - static_cast<int>(cells.size()));
+    }
+    make_unique(shrunk_);
+    make_unique(shrunk_loose_);
+    has_shrunk_ = shrunk_.size() + shrunk_loose_.size() > before;
+  }
+
+  /// Balls that reach out of the solid to others keep a quarter of what reaches out.
+  void shrink(std::vector<Ball_3>& balls, const std::vector<int>& cells) {
+    std::vector<int> numbers;
+    for (const int c : shrunk_)
+      if (const auto found = std::ranges::lower_bound(cells, c); found != cells.end() && *found == c)
+        numbers.push_back(static_cast<int>(found - cells.begin()));
+    for (const int i : shrunk_loose_) numbers.push_back(static_cast<int>(cells.size()) + i);
     std::vector<Point_3> centers;
-    centers.reserve(found.size());
-    for (const int c : found) centers.push_back(delaunay.circumcenters[c]);
+    centers.reserve(numbers.size());
+    for (const int number : numbers) centers.push_back(balls[number].center);
+    const std::vector<double> depths = distances_to_surface(solid_, centers, progress_);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      double& radius = balls[numbers[i]].radius;
+      radius = std::min(radius, depths[i] + (radius - depths[i]) / 4);
+    }
+  }
+
+  /// -1 where none is within twice its spacing.
+  std::vector<int> nearest_samples(const std::vector<Point_3>& places) {
+    std::vector<int> nearest(places.size(), -1);
+    parallel_for(nearest.size(), progress_, [&](std::size_t i) {
+      double least = 4 * distance_ * distance_;
+      current_.grid().for_near(places[i], 2 * distance_, [&](int s) {
+        const double square = squared_distance(places[i], current_.grid().point(s));
+        if (square > least || (square == least && s > nearest[i])) return;
+        least = square;
+        nearest[i] = s;
+      });
+    });
+    return nearest;
+  }
+
+  /// Of cells with balls that hold the place the deepest ones first: they are next to each other, and some of them at
+  /// its nearest sample.
+  std::vector<int> cells_around(const Point_3& place, int sample) const {
+    const Delaunay_3& delaunay = current_.delaunay();
+    const int first = current_.poles()[sample];
+    if (first < 0) return {};
+    const auto depth = [&](int c) { return delaunay.circumradii[c] - distance(place, delaunay.circumcenters[c]); };
+    std::vector<int> seen{first};
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      for (const int next : delaunay.neighbors[seen[i]]) {
+        if (next < 0 || std::ranges::count(seen, next) > 0) continue;
+        if (depth(next) > 0 || std::ranges::count(delaunay.cells[next], sample) > 0) seen.push_back(next);
+      }
+    }
+    std::erase_if(seen, [&](int c) { return depth(c) <= 0; });
+    std::ranges::sort(seen, {}, [&](int c) { return std::pair(-depth(c), c); });
+    constexpr std::size_t most = 16;
+    if (seen.size() > most) seen.resize(most);
+    return seen;
+  }
+
+  /// For each noted place the ball of an inner Voronoi vertex that holds it and does not reach far out of the solid.
+  /// Where the solid is much thinner than the spacing there is none: then the empty ball around the place itself, and
+  /// if that reaches far out, too, there shall be samples.
+  void fill_places() {
+    const std::vector<int> nearest = nearest_samples(places_);
+    std::vector<std::vector<int>> around(places_.size());
+    parallel_for(places_.size(), progress_, [&](std::size_t i) {
+      if (nearest[i] >= 0) around[i] = cells_around(places_[i], nearest[i]);
+    });
+    std::vector<int> cells;
+    for (const auto& part : around) cells.insert(cells.end(), part.begin(), part.end());
+    make_unique(cells);
+    std::vector<Point_3> centers;
+    centers.reserve(cells.size());
+    for (const int c : cells) centers.push_back(current_.delaunay().circumcenters[c]);
     const auto inside = are_inside(solid_, centers, progress_);
-    std::vector<int> inner;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (inside[i] != 0) inner.push_back(found[i]);
-    return inner;
+    const std::vector<double> depths = distances_to_surface(solid_, centers, progress_);
+    const auto is_good = [&](int c) {
+      const auto i = static_cast<std::size_t>(std::ranges::lower_bound(cells, c) - cells.begin());
+      return inside[i] != 0 && current_.delaunay().circumradii[c] - depths[i] <= pit_part * distance_;
+    };
+    const std::vector<double> depths_of_places = distances_to_surface(solid_, places_, progress_);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (nearest[i] < 0) continue;
+      const double radius = distance(places_[i], current_.samples.points[nearest[i]]);
+      const auto found = std::ranges::find_if(around[i], is_good);
+      if (found != around[i].end() && std::ranges::binary_search(shrunk_, *found)) {
+        if (depths_of_places[i] < least_loose_part * distance_) continue;
+        shrunk_loose_.push_back(static_cast<int>(loose_.size()));
+        loose_.push_back(places_[i]);
+      } else if (found != around[i].end()) {
+        fillings_.push_back(*found);
+      } else if (radius - depths_of_places[i] <= pit_part * distance_) {
+        loose_.push_back(places_[i]);
+      } else {
+        crowded_.push_back(nearest[i]);
+      }
+    }
+    make_unique(fillings_);
   }
 
   /// Of surfaces that are no manifolds the topology is not known.
@@ -240,7 +336,6 @@ class Approximation {
     for (std::size_t i = 0; i < found.size(); ++i) sum += std::abs(found[i] - solid_.topology->betti[i]);
     return sum;
   }
-  bool is_right() const { return best_ && difference_ == 0; }
 
   const Solid_3& solid_;
   double distance_;
@@ -248,9 +343,16 @@ class Approximation {
   Progress& progress_;
   Sampled_balls_3 current_;
   std::size_t even_count_ = 0;
+  int vain_rounds_ = 0;  ///< since the best
   std::optional<Ball_approximation_3> best_;
-  std::int64_t difference_ = 0;
-  bool is_exhausted_ = false;
+  Faults faults_;                  ///< of the best
+  std::vector<int> shrunk_;        ///< cells whose balls reach less far out of the solid
+  std::vector<int> shrunk_loose_;  ///< the same for numbers in `loose_`
+  bool has_shrunk_ = false;        ///< there are more of them than before
+  std::vector<int> fillings_;      ///< cells whose balls join those of poles
+  std::vector<Point_3> places_;    ///< that the union should hold
+  std::vector<Point_3> loose_;     ///< centers of balls between samples, which join those of poles
+  std::vector<int> crowded_;       ///< samples around which there should be more
 };
 
 }  // namespace

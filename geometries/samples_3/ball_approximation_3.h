@@ -14,18 +14,20 @@ namespace mesecina {
 /// A union of balls that stands for a solid.
 struct Ball_approximation_3 {
   Surface_samples_3 samples;
-  std::size_t even_sample_count = 0;  ///< the others were added where balls deviate, or the solid is thin
+  std::size_t even_sample_count = 0;  ///< the others were added where balls deviate
   std::vector<Ball_3> balls;
   std::shared_ptr<const Regular_3> regular;  ///< of the balls
   std::shared_ptr<const Dual_3> dual;
-  /// Whether more samples would be needed than there may be: half more than the even ones and 50 000.
+  /// The Betti numbers of the union are not those of the solid, and neither balls nor samples that may be added, half
+  /// as many as the even ones and 50 000, would bring them nearer.
   bool is_exhausted = false;
 };
 
 /// Inner poles of samples within `distance` of each other, with more samples where the balls would deviate from the
-/// surface by more than about a third of that, and inner Voronoi vertices where their union has pits. If the union has
-/// not the topology of the solid, inner Voronoi vertices of thin parts join the poles and, with at most 50 000 even
-/// samples, more samples are added there; returned is the union whose Betti numbers are nearest to those of the solid.
+/// surface by more than about a third of that. Where their union has pits, or is connected in another way than the
+/// solid, it is mended, round by round, as long as that helps: other balls between the samples join the poles, balls
+/// that bridge a gap of the solid become smaller, and samples are added. Returned is the union whose Betti numbers are
+/// nearest to those of the solid, of these the one with the fewest faults.
 ///
 /// Centers are moved by up to `perturbation` times the radius, as balls_of_cells does. O(n log n) for n samples.
 /// Throws Unavailable when there is no ball, or the samples are too many. [N. Amenta, S. Choi, R. Kolluri: The power

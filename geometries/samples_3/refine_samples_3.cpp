@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -29,26 +30,6 @@ constexpr double least_part = 0.1;
 constexpr double least_radius_of_smooth = 2;
 constexpr double cosine_of_smooth = 0.9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Two corners of a cell between which the solid is thin.
-using Sides = std::array<int, 2>;
-
-/// Calls use(sides) for all pairs of corners of the cell that lie on both sides of a part that the cell is inside of.
-template <class Use>
-void for_opposite_corners(const Surface_samples_3& samples, const Delaunay_3& delaunay, std::size_t cell,
-                          const Use& use) {
-  constexpr double cosine = -0.5;
-  const auto& corners = delaunay.cells[cell];
-  std::array<Point_3, 4> rays{};
-  for (int i = 0; i < 4; ++i) rays[i] = delaunay.points[corners[i]] - delaunay.circumcenters[cell];
-  const double square = delaunay.circumradii[cell] * delaunay.circumradii[cell];
-  const auto faces_out = [&](int i) { return dot(rays[i], samples.normals[corners[i]]) > 0; };
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j)
-      if (dot(rays[i], rays[j]) < cosine * square && faces_out(i) && faces_out(j) &&
-          dot(samples.normals[corners[i]], samples.normals[corners[j]]) < cosine)
-        use(Sides{corners[i], corners[j]});
-}
 
 /// Per vertex of the triangulation its cells.
 struct Stars {
@@ -124,8 +105,46 @@ struct Near {
   Point_3 sample;
   double wanted = 0;
   Point_3 pole;
-  double pole_radius = -1;  ///< -1 for no pole
+  /// Squares of its radius less and plus the gap; negative for no pole.
+  double inner_square = -1;
+  double outer_square = -1;
 };
+
+/// Per sample: what is around it has changed, and there may be gaps around it.
+struct Restless {
+  std::vector<std::uint8_t> is_open;
+  std::vector<std::uint8_t> is_rough;
+};
+
+Restless find_restless(const Sampled_balls_3& balls, const std::vector<double>& wanted, Progress& progress) {
+  const Surface_samples_3& samples = balls.samples;
+  const Delaunay_3& delaunay = balls.delaunay();
+  Restless restless{std::vector<std::uint8_t>(wanted.size()), std::vector<std::uint8_t>(wanted.size())};
+  for (std::size_t s = 0; s < wanted.size(); ++s) {
+    const bool is_less = wanted[s] < samples.spacing[s];
+    restless.is_open[s] = is_less || balls.is_settled[s] == 0 ? 1 : 0;
+    const int pole = balls.poles()[s];
+    const bool is_thin = pole < 0 || delaunay.circumradii[pole] <= least_radius_of_smooth * samples.covering_radius;
+    restless.is_rough[s] = is_less || is_thin ? 1 : 0;
+  }
+  constexpr double reach = 2;
+  const double square = reach * reach * samples.covering_radius * samples.covering_radius;
+  parallel_for(delaunay.cells.size(), progress, [&](std::size_t c) {
+    const auto& corners = delaunay.cells[c];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) {
+        const int s = corners[i];
+        const int t = corners[j];
+        if (dot(samples.normals[s], samples.normals[t]) > cosine_of_smooth ||
+            squared_distance(samples.points[s], samples.points[t]) > square)
+          continue;
+        std::atomic_ref(restless.is_rough[s]).store(1, std::memory_order_relaxed);
+        std::atomic_ref(restless.is_rough[t]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+  return restless;
+}
 
 /// Looks for places of the surface where samples are missing. Each thread has its own notes.
 class Search {
@@ -136,22 +155,23 @@ class Search {
     double reach = -1;        ///< around the center: `near` and `is_settled` hold for what is within
     bool is_settled = false;  ///< nothing is to be looked at there
     std::vector<Near> near;
+    bool is_even = false;  ///< all of these want the coarsest spacing
     std::vector<Candidate> found;
   };
 
-  Search(const Sampled_balls_3& balls, const Triangle_mesh_3& surface, const std::vector<double>& wanted, double gap)
+  Search(const Sampled_balls_3& balls, const Triangle_mesh_3& surface, double gap, const Restless& restless)
       : balls_(balls),
         surface_(surface),
-        wanted_(wanted),
+        wanted_(balls.samples.spacing),
         gap_(gap),
         coarsest_(balls.samples.covering_radius),
-        grid_(coarsest_),
-        unsettled_(coarsest_),
+        grid_(balls.grid()),
+        open_(coarsest_),
+        rough_(coarsest_),
         owner_(surface.vertices.size(), -1) {
-    for (std::size_t s = 0; s < wanted.size(); ++s) {
-      grid_.add(balls.samples.points[s], wanted[s]);
-      if (balls.is_settled[s] == 0 || wanted[s] < balls.samples.spacing[s])
-        unsettled_.add(balls.samples.points[s], coarsest_);
+    for (std::size_t s = 0; s < restless.is_open.size(); ++s) {
+      if (restless.is_open[s] != 0) open_.add(balls.samples.points[s], coarsest_);
+      if (restless.is_rough[s] != 0) rough_.add(balls.samples.points[s], coarsest_);
     }
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
       for (const int v : surface.triangles[t])
@@ -176,9 +196,7 @@ class Search {
       }
       if (!(distance(middle, notes.center) + radius <= notes.reach)) gather(middle, radius, notes);
       if (notes.is_settled) continue;
-      double spacing = coarsest_;
-      for (const Near& near : notes.near)
-        spacing = std::min(spacing, near.wanted + slope * distance(middle, near.sample));
+      const double spacing = spacing_at(middle, notes);
       if (radius > largest * spacing) {
         is_split = true;
         split(piece, notes.pieces);
@@ -195,27 +213,41 @@ class Search {
     notes.center = middle;
     notes.reach = std::min(radius + slack * coarsest_, coarsest_);
     notes.near.clear();
-    notes.is_settled = !unsettled_.any_near(middle, notes.reach + coarsest_, [](int) { return true; });
+    const double reach = notes.reach + coarsest_;
+    const auto has_any = [&](const Graded_grid_3& grid) {
+      return grid.any_near(middle, reach,
+                           [&](int i) { return squared_distance(middle, grid.point(i)) <= reach * reach; });
+    };
+    notes.is_settled = !has_any(open_) || !has_any(rough_);
     if (notes.is_settled) return;
-    double spacing = coarsest_;
-    bool is_smooth = true;
-    int first = -1;
+    notes.is_even = true;
+    if (radius > largest * coarsest_) {
+      // It will be split.
+      notes.reach = -1;
+      return;
+    }
+    notes.reach = std::min(notes.reach, largest * coarsest_);
     grid_.for_near(middle, notes.reach + spacing_part * coarsest_, [&](int s) {
       Near& near = notes.near.emplace_back();
       near.sample = grid_.point(s);
       near.wanted = wanted_[s];
-      if (const int pole = balls_.poles[s]; pole >= 0) {
-        near.pole = balls_.delaunay.circumcenters[pole];
-        near.pole_radius = balls_.delaunay.circumradii[pole];
+      if (const int pole = balls_.poles()[s]; pole >= 0) {
+        near.pole = balls_.delaunay().circumcenters[pole];
+        const double radius_of_pole = balls_.delaunay().circumradii[pole];
+        const double inner = std::max(radius_of_pole - gap_, 0.0);
+        near.inner_square = inner * inner;
+        near.outer_square = (radius_of_pole + gap_) * (radius_of_pole + gap_);
       }
-      spacing = std::min(spacing, near.wanted + slope * distance(middle, near.sample));
-      if (first < 0) first = s;
-      is_smooth = is_smooth && near.wanted >= balls_.samples.spacing[s] &&
-                  near.pole_radius > least_radius_of_smooth * coarsest_ &&
-                  dot(balls_.samples.normals[s], balls_.samples.normals[first]) > cosine_of_smooth;
+      notes.is_even = notes.is_even && near.wanted >= coarsest_;
     });
-    notes.is_settled = is_smooth;
-    notes.reach = std::min(notes.reach, largest * spacing);
+    notes.reach = std::min(notes.reach, largest * spacing_at(middle, notes));
+  }
+
+  double spacing_at(const Point_3& p, const Notes& notes) const {
+    double spacing = coarsest_;
+    if (notes.is_even) return spacing;
+    for (const Near& near : notes.near) spacing = std::min(spacing, near.wanted + slope * distance(p, near.sample));
+    return spacing;
   }
 
   static void split(const Corners& t, std::vector<Corners>& pieces) {
@@ -257,20 +289,29 @@ class Search {
   }
 
   void look_at_point(const Point_3& x, int triangle, Notes& notes) const {
-    double spacing = coarsest_;
+    const double spacing = spacing_at(x, notes);
+    const double too_near = least_part * spacing;
     double nearest = infinity;
-    double deviation = infinity;
     for (const Near& near : notes.near) {
-      const double d = distance(x, near.sample);
-      nearest = std::min(nearest, d);
-      spacing = std::min(spacing, near.wanted + slope * d);
-      if (near.pole_radius > 0) deviation = std::min(deviation, distance(x, near.pole) - near.pole_radius);
+      nearest = std::min(nearest, squared_distance(x, near.sample));
+      if (nearest <= too_near * too_near) return;
     }
-    if (nearest >= spacing_part * spacing) {
+    if (nearest >= spacing_part * spacing * (spacing_part * spacing)) {
       notes.found.push_back({x, spacing, false, triangle});
-    } else if (std::isfinite(deviation) && std::abs(deviation) > gap_ && nearest > least_part * spacing) {
-      notes.found.push_back({x, spacing, true, triangle});
+      return;
     }
+    bool has_pole = false;
+    bool is_close = false;
+    for (const Near& near : notes.near) {
+      const double square = squared_distance(x, near.pole);
+      if (square < near.inner_square) {
+        notes.found.push_back({x, spacing, true, triangle});
+        return;
+      }
+      is_close = is_close || square <= near.outer_square;
+      has_pole = has_pole || near.outer_square > 0;
+    }
+    if (has_pole && !is_close) notes.found.push_back({x, spacing, true, triangle});
   }
 
   /// Of the spacing in the middle: so far from it all is known that matters. The grid tells of a sample that wants w
@@ -282,72 +323,64 @@ class Search {
   const std::vector<double>& wanted_;
   double gap_;
   double coarsest_;
-  Graded_grid_3 grid_;
-  Graded_grid_3 unsettled_;
+  const Graded_grid_3& grid_;
+  Graded_grid_3 open_;
+  Graded_grid_3 rough_;
   std::vector<int> owner_;  ///< per vertex a triangle that has it
 };
 
 }  // namespace
 
-std::vector<int> thin_cells(const Surface_samples_3& samples, const Delaunay_3& delaunay, double factor) {
-  std::vector<int> thin;
-  for (std::size_t c = 0; c < delaunay.cells.size(); ++c) {
-    double spacing = 0;
-    for (const int s : delaunay.cells[c]) spacing = std::max(spacing, samples.spacing[s]);
-    if (delaunay.circumradii[c] > factor * spacing) continue;
-    bool is_thin = false;
-    for_opposite_corners(samples, delaunay, c, [&](const Sides&) { is_thin = true; });
-    if (is_thin) thin.push_back(static_cast<int>(c));
-  }
-  return thin;
-}
-
-std::vector<double> wanted_spacing(const Sampled_balls_3& balls, bool also_at_thin_parts, double finest) {
+std::vector<double> wanted_spacing(const Sampled_balls_3& balls, std::span<const int> crowded, double finest) {
   // A little less is not worth more samples.
   constexpr double enough = 0.8;
-  // The union of the poles alone carries a plate whose half thickness is about the spacing.
-  constexpr double part_of_radius = 0.8;
   const std::vector<double>& before = balls.samples.spacing;
   std::vector<double> wanted = before;
-  const auto want = [&](int sample, double spacing) {
-    spacing = std::max({spacing, before[sample] / 2, finest});
-    if (spacing < enough * before[sample]) wanted[sample] = std::min(wanted[sample], spacing);
+  const auto halve = [&](std::size_t s) {
+    const double spacing = std::max(before[s] / 2, finest);
+    if (spacing < enough * before[s]) wanted[s] = spacing;
   };
   for (std::size_t s = 0; s < wanted.size(); ++s)
-    if (balls.poles[s] < 0) want(static_cast<int>(s), 0);
-  if (also_at_thin_parts) {
-    for (const int c : thin_cells(balls.samples, balls.delaunay, enough / part_of_radius)) {
-      const double spacing = part_of_radius * balls.delaunay.circumradii[c];
-      for_opposite_corners(balls.samples, balls.delaunay, c, [&](const Sides& sides) {
-        for (const int s : sides) want(s, spacing);
-      });
-    }
-  }
-  grade(balls.delaunay, before, wanted);
+    if (balls.poles()[s] < 0) halve(s);
+  for (const int s : crowded) halve(static_cast<std::size_t>(s));
+  grade(balls.delaunay(), before, wanted);
   return wanted;
 }
 
-void triangulate_samples(Sampled_balls_3& balls, const Solid_3& solid, Progress& progress) {
-  // By their samples: cells have new numbers each time.
-  const auto corners_of_pole = [&](std::size_t sample) {
-    std::array<int, 4> corners{-1, -1, -1, -1};
-    if (balls.poles[sample] >= 0) corners = balls.delaunay.cells[balls.poles[sample]];
-    std::ranges::sort(corners);
-    return corners;
+std::vector<int> Sampled_balls_3::triangulate(const Solid_3& solid, Progress& progress) {
+  struct Pole {
+    Point_3 center;
+    double radius = -1;
+    bool operator==(const Pole&) const = default;
   };
-  std::vector<std::array<int, 4>> before(balls.poles.size());
-  for (std::size_t s = 0; s < before.size(); ++s) before[s] = corners_of_pole(s);
-  balls.delaunay = delaunay(balls.samples.points, progress);
-  progress.begin_stage("inner poles");
-  balls.poles = inner_pole_cells(balls.samples, balls.delaunay, solid, progress);
-  balls.is_settled.resize(balls.poles.size(), 0);
-  for (std::size_t s = 0; s < before.size(); ++s)
-    if (corners_of_pole(s) != before[s]) balls.is_settled[s] = 0;
+  const auto pole_of = [&](std::size_t sample) -> Pole {
+    const int c = poles()[sample];
+    if (c < 0) return {};
+    return {delaunay().circumcenters[c], delaunay().circumradii[c]};
+  };
+  std::vector<Pole> before(poles().size());
+  for (std::size_t s = 0; s < before.size(); ++s) before[s] = pole_of(s);
+  std::vector<int> renewed = triangulation_.add(std::span(samples.points).subspan(delaunay().points.size()), progress);
+  is_settled.resize(samples.points.size(), 0);
+  if (!grid_) grid_.emplace(samples.covering_radius);
+  for (std::size_t s = grid_->size(); s < samples.points.size(); ++s) grid_->add(samples.points[s], samples.spacing[s]);
+  for (const int s : poles_.update(samples, delaunay(), renewed, solid, progress))
+    if (s >= std::ssize(before) || !(pole_of(s) == before[s])) is_settled[s] = 0;
+  return renewed;
+}
+
+void Sampled_balls_3::set_spacing(std::vector<double> spacing) {
+  if (spacing == samples.spacing) return;
+  samples.spacing = std::move(spacing);
+  grid_.emplace(samples.covering_radius);
+  for (std::size_t s = 0; s < samples.points.size(); ++s) grid_->add(samples.points[s], samples.spacing[s]);
 }
 
 std::size_t add_samples(Sampled_balls_3& balls, const Triangle_mesh_3& surface, const std::vector<double>& wanted,
                         double gap, Progress& progress) {
-  const Search search(balls, surface, wanted, gap);
+  const Restless restless = find_restless(balls, wanted, progress);
+  balls.set_spacing(wanted);
+  const Search search(balls, surface, gap, restless);
   constexpr std::size_t block = 4096;
   const std::size_t count = surface.triangles.size();
   std::vector<std::vector<Candidate>> found((count + block - 1) / block);
@@ -360,7 +393,6 @@ std::size_t add_samples(Sampled_balls_3& balls, const Triangle_mesh_3& surface, 
 
   Graded_grid_3 added(balls.samples.covering_radius);
   std::vector<double> spacings;
-  balls.samples.spacing = wanted;
   balls.is_settled.assign(wanted.size(), 1);
   for (const auto& part : found) {
     for (const Candidate& candidate : part) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "core/outcome.h"
+#include "geometries/parallel.h"
 #include "geometries/samples_3/graded_grid_3.h"
 #include "geometries/samples_3/samples_3.h"
 
@@ -23,9 +25,13 @@ class Spaced_samples {
     samples_.covering_radius = distance;
   }
 
+  /// A sample there would be too near to another one.
+  bool is_taken(const Point_3& p) const {
+    return grid_.any_near(p, spacing_,
+                          [&](int i) { return squared_distance(grid_.point(i), p) < spacing_ * spacing_; });
+  }
   void add(const Point_3& p, const Point_3& normal) {
-    if (grid_.any_near(p, spacing_, [&](int i) { return squared_distance(grid_.point(i), p) < spacing_ * spacing_; }))
-      return;
+    if (is_taken(p)) return;
     if (grid_.size() == most_samples)
       throw Unavailable("the surface would get more than " + std::to_string(most_samples) +
                         " samples; choose a larger delta");
@@ -43,6 +49,20 @@ class Spaced_samples {
   Graded_grid_3 grid_;
   Surface_samples_3 samples_;
 };
+
+/// Rows of the grid of a triangle.
+struct Rows {
+  std::array<int, 3> triangle{};
+  int parts = 0;  ///< of each edge
+  int first = 0;
+  int end = 0;
+};
+
+/// Of the grid of a triangle, corners are vertices of the surface.
+bool is_corner(const Rows& rows, int i, int j) {
+  const int k = rows.parts - i - j;
+  return i + j == 0 || j + k == 0 || k + i == 0;
+}
 
 Point_3 unit(const Point_3& v) {
   const double length = std::sqrt(dot(v, v));
@@ -73,11 +93,40 @@ Surface_samples_3 sample_surface(const Triangle_mesh_3& surface, double distance
   Spaced_samples samples(distance);
   for (std::size_t v = 0; v < surface.vertices.size(); ++v)
     if (is_used[v] != 0) samples.add(surface.vertices[v], unit(normals[v]));
+
+  std::vector<Rows> pieces;
   std::size_t count = 0;
+  // Most places near to samples that are there before are found by all threads, the others one after the other.
+  const auto add_pieces = [&] {
+    std::vector<std::vector<Point_3>> open(pieces.size());
+    constexpr std::size_t block = 64;
+    parallel_blocks((pieces.size() + block - 1) / block, progress, [&](std::size_t b) {
+      for (std::size_t i = b * block; i < std::min(pieces.size(), (b + 1) * block); ++i) {
+        const Rows& rows = pieces[i];
+        const Point_3& p = surface.vertices[rows.triangle[0]];
+        const Point_3 u = surface.vertices[rows.triangle[1]] - p;
+        const Point_3 v = surface.vertices[rows.triangle[2]] - p;
+        const double parts = rows.parts;
+        for (int row = rows.first; row < rows.end; ++row) {
+          for (int j = 0; j <= rows.parts - row; ++j) {
+            if (is_corner(rows, row, j)) continue;
+            const Point_3 place = p + (row / parts) * u + (j / parts) * v;
+            if (!samples.is_taken(place)) open[i].push_back(place);
+          }
+        }
+      }
+    });
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (open[i].empty()) continue;
+      const Point_3 normal = unit(normal_of(pieces[i].triangle));
+      for (const Point_3& place : open[i]) samples.add(place, normal);
+    }
+    pieces.clear();
+    count = 0;
+  };
+  std::size_t done = 0;
   for (const auto& triangle : surface.triangles) {
-    constexpr std::size_t often = 1024;
-    if (++count % often == 0)
-      progress.report(static_cast<double>(count) / static_cast<double>(surface.triangles.size()));
+    ++done;
     const Point_3& p = surface.vertices[triangle[0]];
     const Point_3 u = surface.vertices[triangle[1]] - p;
     const Point_3 v = surface.vertices[triangle[2]] - p;
@@ -87,10 +136,17 @@ Surface_samples_3 sample_surface(const Triangle_mesh_3& surface, double distance
     if (parts * parts > 2.0 * static_cast<double>(most_samples))
       throw Unavailable("the surface would get too many samples; choose a larger delta");
     const int n = static_cast<int>(parts);
-    const Point_3 normal = unit(normal_of(triangle));
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n - i; ++j) samples.add(p + (i / parts) * u + (j / parts) * v, normal);
+    constexpr int most_rows = 64;
+    for (int row = 0; row <= n; row += most_rows) {
+      pieces.push_back({triangle, n, row, std::min(row + most_rows, n + 1)});
+      constexpr std::size_t most_places = 500'000;
+      count += static_cast<std::size_t>(std::min(n, most_rows)) * n;
+      if (count < most_places) continue;
+      progress.report(static_cast<double>(done) / static_cast<double>(surface.triangles.size()));
+      add_pieces();
+    }
   }
+  add_pieces();
   return samples.take();
 }
 

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometries/delaunay_3/growing_delaunay_3.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "core/outcome.h"
+#include "geometries/circumcenter_3.h"
+#include "geometries/parallel.h"
+
+namespace mesecina {
+
+namespace {
+
+struct Cell_number {
+  int value = -1;  ///< of a finite cell in the arrays; -1 for infinite cells, and for those that have none yet
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
+using Cell_base =
+    CGAL::Triangulation_cell_base_with_info_3<Cell_number, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+
+/// Per point the first one that is equal to it.
+std::vector<int> first_of_equal(const std::vector<Point_3>& points) {
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](int i) { return std::tuple(points[i].x, points[i].y, points[i].z, i); });
+  std::vector<int> site(points.size());
+  int first = -1;
+  for (const int i : order) {
+    if (first < 0 || !(points[first] == points[i])) first = i;
+    site[i] = first;
+  }
+  return site;
+}
+
+/// Along a space-filling curve.
+std::vector<std::size_t> sorted_in_space(const std::vector<Kernel::Point_3>& places) {
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>;
+  if (!places.empty())
+    CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(std::as_const(places))));
+  return order;
+}
+
+std::string why_flat(const Triangulation& triangulation) {
+  const std::size_t count = triangulation.number_of_vertices();
+  constexpr std::size_t least = 4;
+  if (count < least)
+    return "needs at least 4 distinct points that are not in one plane; there " +
+           (count == 1 ? std::string("is 1") : "are " + std::to_string(count));
+  return triangulation.dimension() < 2 ? "all points lie on one line" : "all points lie in one plane";
+}
+
+}  // namespace
+
+class Growing_delaunay_3::Implementation {
+ public:
+  const Delaunay_3& result() const { return result_; }
+  Delaunay_3 take() { return std::move(result_); }
+
+  std::vector<int> add(std::span<const Point_3> points, Progress& progress) {
+    progress.begin_stage("Delaunay triangulation");
+    const bool is_first = result_.cells.empty();
+    const std::size_t before = result_.points.size();
+    result_.points.insert(result_.points.end(), points.begin(), points.end());
+    insert(points, static_cast<int>(before), progress);
+    if (triangulation_.dimension() < 3) throw Unavailable(why_flat(triangulation_));
+    find_sites(before);
+    std::vector<int> renewed = is_first ? number_all() : number_new();
+    progress.check();
+    parallel_for(renewed.size(), progress, [&](std::size_t i) { write(renewed[i]); });
+    return renewed;
+  }
+
+ private:
+  using Cell = Triangulation::Cell_handle;
+  using Vertex = Triangulation::Vertex_handle;
+
+  /// Each from where the last one lies. Vertices get the number of a point there.
+  void insert(std::span<const Point_3> points, int first, Progress& progress) {
+    std::vector<Kernel::Point_3> places;
+    places.reserve(points.size());
+    for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
+    const bool is_followed = !cells_.empty();
+    std::size_t count = 0;
+    for (const std::size_t i : sorted_in_space(places)) {
+      constexpr std::size_t often = 1024;
+      if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(places.size()));
+      if (!is_followed) {
+        last_ = triangulation_.insert(places[i], last_);
+        last_->info() = first + static_cast<int>(i);
+      } else if (insert_followed(places[i])) {
+        last_->info() = first + static_cast<int>(i);
+        new_vertices_.push_back(last_);
+      }
+    }
+  }
+
+  /// Notes which cells end. False where there is a vertex already.
+  bool insert_followed(const Kernel::Point_3& place) {
+    Triangulation::Locate_type type{};
+    int i = 0;
+    int j = 0;
+    const Cell start = triangulation_.locate(place, type, i, j, last_);
+    if (type == Triangulation::VERTEX) {
+      last_ = start->vertex(i);
+      return false;
+    }
+    conflicts_.clear();
+    border_.clear();
+    triangulation_.find_conflicts(place, start, std::back_inserter(border_), std::back_inserter(conflicts_));
+    for (const Cell cell : conflicts_)
+      if (cell->info().value >= 0) free_.push_back(cell->info().value);
+    last_ = triangulation_.insert_in_hole(place, conflicts_.begin(), conflicts_.end(), border_.front().first,
+                                          border_.front().second);
+    return true;
+  }
+
+  void find_sites(std::size_t before) {
+    result_.site_count = triangulation_.number_of_vertices();
+    if (result_.site_count == result_.points.size()) {
+      result_.site.resize(result_.points.size());
+      std::iota(result_.site.begin() + static_cast<std::ptrdiff_t>(before), result_.site.end(),
+                static_cast<int>(before));
+    } else {
+      result_.site = first_of_equal(result_.points);
+    }
+  }
+
+  std::vector<int> number_all() {
+    cells_.reserve(triangulation_.tds().number_of_cells());
+    for (auto cell = triangulation_.finite_cells_begin(); cell != triangulation_.finite_cells_end(); ++cell) {
+      cell->info().value = static_cast<int>(cells_.size());
+      cells_.push_back(cell);
+    }
+    resize();
+    std::vector<int> all(cells_.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  /// The numbers of cells that ended are given to new ones, then to the last ones.
+  std::vector<int> number_new() {
+    std::ranges::sort(free_);
+    std::size_t used = 0;
+    std::vector<int> renewed;
+    std::vector<Cell> star;
+    for (const Vertex vertex : new_vertices_) {
+      star.clear();
+      triangulation_.finite_incident_cells(vertex, std::back_inserter(star));
+      for (const Cell cell : star) {
+        if (cell->info().value >= 0) continue;
+        if (used < free_.size()) {
+          cell->info().value = free_[used++];
+          cells_[cell->info().value] = cell;
+        } else {
+          cell->info().value = static_cast<int>(cells_.size());
+          cells_.push_back(cell);
+        }
+        renewed.push_back(cell->info().value);
+      }
+    }
+    std::vector<int> unused(free_.begin() + static_cast<std::ptrdiff_t>(used), free_.end());
+    for (const int number : unused) cells_[number] = Cell();
+    for (const int number : unused) {
+      while (!cells_.empty() && cells_.back() == Cell()) cells_.pop_back();
+      if (number >= static_cast<int>(cells_.size())) break;
+      cells_[number] = std::exchange(cells_.back(), Cell());
+      cells_[number]->info().value = number;
+      renewed.push_back(number);
+    }
+    while (cells_.back() == Cell()) cells_.pop_back();
+    std::erase_if(renewed, [&](int number) { return number >= static_cast<int>(cells_.size()); });
+    std::ranges::sort(renewed);
+    renewed.erase(std::unique(renewed.begin(), renewed.end()), renewed.end());
+    // Cells beside these have others across now, or the same with other numbers.
+    for (const int number : renewed) {
+      const Cell cell = cells_[number];
+      for (int i = 0; i < 4; ++i)
+        if (const int next = cell->neighbor(i)->info().value; next >= 0 && next < std::ssize(result_.neighbors))
+          result_.neighbors[next][cell->neighbor(i)->index(cell)] = number;
+    }
+    resize();
+    free_.clear();
+    new_vertices_.clear();
+    return renewed;
+  }
+
+  void resize() {
+    result_.cells.resize(cells_.size());
+    result_.neighbors.resize(cells_.size());
+    result_.circumcenters.resize(cells_.size());
+    result_.circumradii.resize(cells_.size());
+  }
+
+  void write(int number) {
+    const Cell cell = cells_[number];
+    std::array<Point_3, 4> points;
+    for (int i = 0; i < 4; ++i) {
+      const int corner = result_.site[cell->vertex(i)->info()];
+      result_.cells[number][i] = corner;
+      result_.neighbors[number][i] = cell->neighbor(i)->info().value;
+      points[i] = result_.points[corner];
+    }
+    result_.circumcenters[number] = circumcenter(points);
+    result_.circumradii[number] = distance(result_.circumcenters[number], points[0]);
+  }
+
+  Triangulation triangulation_;
+  Delaunay_3 result_;
+  std::vector<Cell> cells_;  ///< by number
+  Vertex last_;
+  std::vector<Vertex> new_vertices_;
+  std::vector<int> free_;  ///< numbers of cells that ended
+  std::vector<Cell> conflicts_;
+  std::vector<Triangulation::Facet> border_;
+};
+
+Growing_delaunay_3::Growing_delaunay_3() : implementation_(std::make_unique<Implementation>()) {}
+Growing_delaunay_3::Growing_delaunay_3(Growing_delaunay_3&&) noexcept = default;
+Growing_delaunay_3& Growing_delaunay_3::operator=(Growing_delaunay_3&&) noexcept = default;
+Growing_delaunay_3::~Growing_delaunay_3() = default;
+
+const Delaunay_3& Growing_delaunay_3::get() const { return implementation_->result(); }
+
+std::vector<int> Growing_delaunay_3::add(std::span<const Point_3> points, Progress& progress) {
+  return implementation_->add(points, progress);
+}
+
+Delaunay_3 Growing_delaunay_3::take() && { return implementation_->take(); }
+
+}  // namespace mesecina
