@@ -13,21 +13,12 @@ namespace mesecina {
 
 namespace {
 
-constexpr Setting<double> scale_setting{"scale"};
 constexpr Setting<double> min_angle_setting{"scale-axis-min-angle"};
 constexpr Setting<double> sampling_setting{"sampling-min-angle"};
 constexpr Setting<std::int64_t> rim_setting{"rim-smoothing"};
 
-/// What is left of the grown axis after pruning, and its face angles.
-struct Pruned_axis_3 {
-  Medial_complex_3 complex;
-  std::vector<double> angles;
-  Sheets_3 sheets;
-};
-constexpr Key<Pruned_axis_3> pruned_axis_3_key{"pruned-axis-3"};
-
 std::shared_ptr<const Dual_3> grown_dual(Context& context) {
-  const double scale = context.setting(scale_setting);
+  const double scale = context.setting(scale_3_setting);
   if (scale == 1) return context.get(dual_3_key);
   Regular_3 regular = regular_triangulation(grown(*context.get(balls_3_key), scale), context.progress());
   return std::make_shared<const Dual_3>(
@@ -35,7 +26,7 @@ std::shared_ptr<const Dual_3> grown_dual(Context& context) {
 }
 
 Medial_complex_3 compute_grown_axis(Context& context) {
-  if (context.setting(scale_setting) == 1) return *context.get(medial_axis_3_key);
+  if (context.setting(scale_3_setting) == 1) return *context.get(medial_axis_3_key);
   const Union_vertices_3 vertices = union_vertices(grown_dual(context), context.progress());
   Medial_complex_3 axis = union_medial_axis(vertices, context.progress());
   warn_of_special_positions(context, axis, *vertices.dual);
@@ -84,13 +75,6 @@ Primitive_set scale_axis_ball_layer(Context& context) {
   return ball_primitives(balls);
 }
 
-Primitive_set sheet_layer(Context& context) {
-  const auto axis = context.get(medial_axis_3_key);
-  Primitive_set set = medial_primitives(*axis);
-  add_medial_values(set, "sheet", "", sheet_values(*axis));
-  return set;
-}
-
 Primitive_set grown_axis_layer(Context& context) {
   const auto axis = context.get(grown_medial_axis_3_key);
   Primitive_set set = medial_primitives(*axis);
@@ -102,7 +86,7 @@ Primitive_set grown_axis_layer(Context& context) {
 void add_settings(Registry& registry) {
   {
     Setting_spec setting;
-    setting.id = scale_setting.id;
+    setting.id = scale_3_setting.id;
     setting.label = "Scale";
     setting.help =
         "Factor s by which balls grow before the medial axis is taken. Balls that a larger neighbour covers are gone: "
@@ -171,12 +155,9 @@ void register_scale_axis_3(Registry& registry) {
   registry.add_structure<Medial_complex_3>(grown_medial_axis_3_key, compute_grown_axis);
   registry.add_structure<Pruned_axis_3>(pruned_axis_3_key, compute_pruned);
   registry.add_structure<Ball_complex_3>(scale_axis_3_key, [](Context& context) {
-    return sampled(context.get(pruned_axis_3_key)->complex, context.setting(scale_setting),
+    return sampled(context.get(pruned_axis_3_key)->complex, context.setting(scale_3_setting),
                    context.setting(sampling_setting), context.progress());
   });
-  registry.add_layer(make_layer("sheets", "Sheets", "Union of balls",
-                                "The medial axis by its sheets: faces that hang together across edges with two faces.",
-                                {60, 130, 90}, sheet_layer));
   const char* stage = "Scale axis";
   registry.add_layer(make_layer("grown-medial-axis", "Medial axis of the grown shape", stage,
                                 "The medial axis of the union of the grown balls, with all its sheets.",

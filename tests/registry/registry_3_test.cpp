@@ -74,6 +74,12 @@ const std::set<std::string> promised_layers = {"mesh",
                                                "angle-medial-axis",
                                                "scale-medial-axis",
                                                "sheets",
+                                               "seams",
+                                               "rims",
+                                               "junctions",
+                                               "scale-axis-seams",
+                                               "scale-axis-rims",
+                                               "scale-axis-junctions",
                                                "scale-axis",
                                                "scale-axis-balls"};
 
