@@ -9,6 +9,7 @@
 #include "geometries/modules_3.h"
 #ifdef MESECINA_WITH_WINDOW
 #include "app3d/start_window.h"
+#include "core/batch/worker_pool.h"
 #include "layers/color_map.h"
 #include "layers/space_pictures.h"
 #endif
@@ -24,12 +25,23 @@ void add_pictures(mesecina::Formats& formats, std::vector<std::string>& color_ma
   for (const mesecina::Color_map& map : mesecina::color_maps()) color_maps.push_back(map.name());
 }
 
+/// Why there can be no pictures here; empty when there can. Found out by another process: contexts of graphics have
+/// threads, and the workers of a batch are copies of this process, which must have none.
+std::string reason_against_pictures() {
+  mesecina::Worker_pool asked(
+      1, {[](std::size_t, const std::stop_token&) { return mesecina::reason_against_space_pictures(); }, [] {}});
+  asked.give(0);
+  constexpr int nothing_else = -1;
+  const auto done = asked.wait(nothing_else);
+  return done && done->answer ? *done->answer : "OpenGL ends the process that uses it";
+}
+
 /// Without what pictures need, everything else is computed and written all the same.
 int run_without_window(mesecina::Command_line command_line, const std::shared_ptr<const mesecina::Registry>& registry,
                        const mesecina::Formats& formats) {
   const auto png = std::ranges::find(command_line.formats, "png");
   std::string reason;
-  if (png != command_line.formats.end()) reason = mesecina::reason_against_space_pictures();
+  if (png != command_line.formats.end()) reason = reason_against_pictures();
   if (!reason.empty()) {
     std::cerr << program << ": no pictures: " << reason << '\n';
     command_line.formats.erase(png);

@@ -160,8 +160,6 @@ void Input_runner::write_pictures(const fs::path& file, const Scene& scene, cons
     const int width = command_line_.width;
     const int height = command_line_.height;
     const fs::path path = folder_.unfinished(file, picture_suffix(writer->extension));
-    // Picture formats share one application's fonts and need not be safe for several threads.
-    const std::lock_guard lock(picture_mutex_);
     if (writer->write_3) {
       writer->write_3(path, scene, command_line_.view_3.value_or(View_3{fit_camera(box, width, height), {}}), width,
                       height);

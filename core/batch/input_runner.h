@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 
@@ -13,8 +12,7 @@
 
 namespace mesecina {
 
-/// Computes what a command line asks for, one input at a time, and writes it. Safe to call from several threads, for
-/// different inputs.
+/// Computes what a command line asks for, one input at a time, and writes it.
 class Input_runner {
  public:
   Input_runner(const Command_line& command_line, std::shared_ptr<const Registry> registry, const Formats& formats,
@@ -43,7 +41,6 @@ class Input_runner {
   const Formats& formats_;
   Output_folder& folder_;
   std::vector<std::string> layers_;
-  std::mutex picture_mutex_;
 };
 
 }  // namespace mesecina

@@ -48,7 +48,7 @@ class Worker_pool {
     std::optional<std::string> answer;  ///< nothing if the worker died
     int signal = 0;                     ///< that ended it; 0 if it ended by itself
   };
-  /// Waits for a task to be done, and returns it; or nothing, when the descriptor can be read before.
+  /// Waits for a task to be done, and returns it; or nothing, when the descriptor (-1: none) can be read before.
   /// Some worker must be busy.
   std::optional<Done> wait(int descriptor);
 

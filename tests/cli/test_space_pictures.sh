@@ -52,6 +52,15 @@ for text in '{}' 'nonsense' '{"camera": {"position": [0, 0, 0], "target": [0, 0,
   expect_no_file bad
 done
 
+# Workers are copies of the first process, which therefore makes no context of graphics itself.
+"$program" --nogui two.cin --layers given-balls --formats png --size 900x900 --output apart >/dev/null &
+first=$!
+while maps=$(cat "/proc/$first/maps" 2>/dev/null) && [ -n "$maps" ]; do
+  case $maps in *libEGL_*) fail "expected the first process to leave EGL alone" ;; *) ;; esac
+done
+wait "$first"
+expect_painted apart/two.png 450 450
+
 # Without OpenGL there is a reason, and everything else is written.
 export __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null
 run --nogui two.cin --layers given-balls --formats json,png --output without
