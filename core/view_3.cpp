@@ -86,6 +86,33 @@ Camera_3 camera_of(const Json& json) {
   return camera;
 }
 
+Json to_object(const Camera_3& camera) {
+  Json json;
+  json["position"] = to_array(camera.position);
+  json["target"] = to_array(camera.target);
+  json["up"] = to_array(camera.up);
+  if (camera.projection == Camera_3::Projection::orthographic) {
+    json["projection"] = orthographic_name;
+    json["height"] = camera.height;
+  } else {
+    json["projection"] = perspective_name;
+    json["field-of-view"] = camera.field_of_view;
+  }
+  return json;
+}
+
+/// Runs `read` on the JSON object that the text must be.
+template <class Read>
+auto read_view_file(std::string_view text, const Read& read) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) refuse("a JSON object with a \"camera\"");
+  try {
+    return read(json);
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
 }  // namespace
 
 Camera_3::Axes Camera_3::axes() const {
@@ -148,33 +175,22 @@ std::pair<double, double> depth_range(const Camera_3& camera, const Box& box) {
   return {std::max(middle - radius, least_part * far), far};
 }
 
-std::string to_json(const View_3& view) {
-  const Camera_3& camera = view.camera;
+std::string to_json(const View_3& view, std::span<const Camera_3> path) {
   Json json;
-  json["camera"]["position"] = to_array(camera.position);
-  json["camera"]["target"] = to_array(camera.target);
-  json["camera"]["up"] = to_array(camera.up);
-  if (camera.projection == Camera_3::Projection::orthographic) {
-    json["camera"]["projection"] = orthographic_name;
-    json["camera"]["height"] = camera.height;
-  } else {
-    json["camera"]["projection"] = perspective_name;
-    json["camera"]["field-of-view"] = camera.field_of_view;
-  }
+  json["camera"] = to_object(view.camera);
   if (view.cutting_plane) {
     json["cutting-plane"]["point"] = to_array(view.cutting_plane->point);
     json["cutting-plane"]["normal"] = to_array(view.cutting_plane->normal);
     if (view.cutting_plane->thickness) json["cutting-plane"]["thickness"] = *view.cutting_plane->thickness;
   }
+  for (const Camera_3& camera : path) json["camera-path"].push_back(to_object(camera));
   constexpr int indent = 2;
   return json.dump(indent) + "\n";
 }
 
 View_3 parse_view_3(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) refuse("a JSON object with a \"camera\"");
-  View_3 view;
-  try {
+  return read_view_file(text, [](const Json& json) {
+    View_3 view;
     view.camera = camera_of(object_of(json, "camera"));
     if (json.contains("cutting-plane")) {
       const Json& plane = object_of(json, "cutting-plane");
@@ -182,10 +198,21 @@ View_3 parse_view_3(std::string_view text) {
       if (!(length(view.cutting_plane->normal) > 0)) refuse("a \"normal\" that is not 0");
       if (plane.contains("thickness")) view.cutting_plane->thickness = number_of(plane, "thickness");
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw std::invalid_argument(error.what());
-  }
-  return view;
+    return view;
+  });
+}
+
+std::vector<Camera_3> parse_camera_path_3(std::string_view text) {
+  return read_view_file(text, [](const Json& json) {
+    std::vector<Camera_3> path;
+    if (!json.contains("camera-path")) return path;
+    if (!json["camera-path"].is_array()) refuse("an array \"camera-path\" of cameras");
+    for (const Json& camera : json["camera-path"]) {
+      if (!camera.is_object()) refuse("an array \"camera-path\" of cameras");
+      path.push_back(camera_of(camera));
+    }
+    return path;
+  });
 }
 
 }  // namespace mesecina

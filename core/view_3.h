@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/point.h"
 
@@ -63,10 +65,13 @@ std::pair<double, double> depth_range(const Camera_3& camera, const Box& box);
 
 /// The text of a view file: {"camera": {"position": [x, y, z], "target": ..., "up": ..., "projection": "perspective",
 /// "field-of-view": degrees} or with "projection": "orthographic", "height": units}, "cutting-plane": {"point": ...,
-/// "normal": ..., "thickness": t}}, the plane and its thickness where there are such. Numbers read back as they were.
-std::string to_json(const View_3& view);
+/// "normal": ..., "thickness": t}, "camera-path": [cameras]}, the plane, its thickness and the path where there are
+/// such. Numbers read back as they were. `path`: the key frames of a way of the camera.
+std::string to_json(const View_3& view, std::span<const Camera_3> path = {});
 /// Reads it. Throws std::invalid_argument, with what was expected, for any other text and for numbers that make no
 /// view: not finite, nothing between position and target, a field of view beyond (0, 180), no height, no normal.
 View_3 parse_view_3(std::string_view text);
+/// The key frames in it; none where there is no "camera-path". Throws as parse_view_3 does, of these cameras too.
+std::vector<Camera_3> parse_camera_path_3(std::string_view text);
 
 }  // namespace mesecina
