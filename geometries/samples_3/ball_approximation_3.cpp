@@ -39,7 +39,7 @@ class Approximation {
   static constexpr int most_rounds = 10;
   static constexpr int most_vain_rounds = 6;
   /// In all rounds together.
-  static constexpr std::size_t most_balls_of_repairs = 1'000'000;
+  static constexpr std::size_t most_balls_of_repairs = 600'000;
   static constexpr int most_rounds_of_repair = 3;
   static constexpr double gap_part = 0.32;
   /// How deep the boundary of the union may lie in the solid, and how far out of it.

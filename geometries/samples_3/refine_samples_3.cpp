@@ -213,12 +213,14 @@ class Search {
     notes.center = middle;
     notes.reach = std::min(radius + slack * coarsest_, coarsest_);
     notes.near.clear();
-    const double reach = notes.reach + coarsest_;
-    const auto has_any = [&](const Graded_grid_3& grid) {
+    const auto has_any = [&](const Graded_grid_3& grid, double part) {
+      const double reach = notes.reach + part * coarsest_;
       return grid.any_near(middle, reach,
                            [&](int i) { return squared_distance(middle, grid.point(i)) <= reach * reach; });
     };
-    notes.is_settled = !has_any(open_) || !has_any(rough_);
+    if (radius <= largest * coarsest_) notes.reach = std::min(notes.reach, largest * coarsest_);
+    // What is near is all that matters; where nothing of it is new, nothing is.
+    notes.is_settled = !has_any(open_, spacing_part) || !has_any(rough_, 1);
     if (notes.is_settled) return;
     notes.is_even = true;
     if (radius > largest * coarsest_) {
@@ -226,7 +228,6 @@ class Search {
       notes.reach = -1;
       return;
     }
-    notes.reach = std::min(notes.reach, largest * coarsest_);
     grid_.for_near(middle, notes.reach + spacing_part * coarsest_, [&](int s) {
       Near& near = notes.near.emplace_back();
       near.sample = grid_.point(s);

@@ -156,6 +156,8 @@ std::vector<Point_3> deep_arc_points(const Regular_3& regular, double depth, Pro
         const int b = regular.cells[cell][j];
         if (std::min(a, b) < 0) continue;
         const Point_3 way = balls[b].center - balls[a].center;
+        // The circle of equal balls lies less than this below their cone, that of other ones even less.
+        if (dot(way, way) <= 4 * depth * std::min(balls[a].radius, balls[b].radius)) continue;
         const double length = std::sqrt(dot(way, way));
         const double slope = (balls[a].radius - balls[b].radius) / length;
         const double height = along(balls[a], balls[b], way) / length;
