@@ -8,6 +8,7 @@
 #include "core/graph.h"
 #include "geometries/delaunay_3/module.h"
 #include "geometries/primitives_3.h"
+#include "geometries/union_3/power_diagram_3.h"
 
 namespace mesecina {
 
@@ -56,6 +57,56 @@ Primitive_set pole_layer(Context& context, bool inner) {
   set.values.push_back(std::move(confidence));
   set.ids = std::move(ids);
   return set;
+}
+
+/// Both poles of each sample that has two, as segments from the sample; those at infinity are left out.
+Primitive_set pair_layer(Context& context) {
+  const auto polar = context.get(polar_balls_3_key);
+  const Poles_3& poles = *polar->poles;
+  Primitive_set set = primitives_in_space();
+  Values confidence{"confidence", "", {}};
+  Values inside{"inside", "", {}};
+  Values radius{"radius", "units of the input", {}};
+  for (int s = 0; s < static_cast<int>(poles.sample_count); ++s) {
+    if (poles.first[s] < 0 || poles.second[s] < 0) continue;
+    const double sure = std::max(0.0, -intersection_cosine(poles, poles.first[s], poles.second[s]));
+    const int sample = static_cast<int>(set.vertices.size());
+    set.vertices.push_back(poles.points[s]);
+    for (const int pole : {poles.first[s], poles.second[s]}) {
+      if (poles.is_infinite(pole)) continue;
+      set.segments.push_back({sample, static_cast<int>(set.vertices.size())});
+      set.vertices.push_back(poles.balls[pole].center);
+      confidence.data.push_back(sure);
+      inside.data.push_back(polar->is_inner[pole]);
+      radius.data.push_back(poles.balls[pole].radius);
+      set.ids.push_back(s);
+    }
+  }
+  set.values = {std::move(confidence), std::move(inside), std::move(radius)};
+  return set;
+}
+
+Primitive_set conflict_layer(Context& context) {
+  const auto polar = context.get(polar_balls_3_key);
+  std::vector<Point_3> samples;
+  for (const int s : polar->contradictions) samples.push_back(polar->poles->points[s]);
+  Primitive_set set = point_primitives(std::move(samples));
+  set.ids.assign(polar->contradictions.begin(), polar->contradictions.end());
+  return set;
+}
+
+Primitive_set triangulation_layer(Context& context) {
+  const auto polar = context.get(polar_balls_3_key);
+  Primitive_set set = primitives_in_space();
+  Values inner{"inner-poles", "", {}};
+  for (const Ball_3& ball : polar->regular->balls) set.vertices.push_back(ball.center);
+  for (const auto& edge : edges_of(*polar->regular)) {
+    if (polar->poles->is_infinite(edge[0]) || polar->poles->is_infinite(edge[1])) continue;
+    set.segments.push_back(edge);
+    inner.data.push_back(polar->is_inner[edge[0]] + polar->is_inner[edge[1]]);
+  }
+  set.values.push_back(std::move(inner));
+  return select(set, std::vector<bool>(set.element_count(), true));
 }
 
 Primitive_set crust_layer(Context& context) {
@@ -116,14 +167,14 @@ void register_power_crust_3(Registry& registry) {
   const std::string poles =
       " of the shape, as balls that touch their samples, the first of which is their value. Poles of a sample: the "
       "farthest vertex of its Voronoi cell, and the farthest one on the other side of the sample.";
-  registry.add_layer(make_layer(
-      "power-shape", "Power shape", stage,
-      (std::string("The tetrahedra, triangles, edges and vertices of the regular triangulation of the poles between "
-                   "inner poles alone: a complex with the topology of the shape, near its medial axis. Its tetrahedra "
-                   "are not drawn, but count.") +
-       paper)
-          .c_str(),
-      {140, 50, 100}, shape_layer));
+  registry.add_layer(
+      make_layer("power-shape", "Power shape", stage,
+                 (std::string("The tetrahedra, triangles, edges and vertices of the regular triangulation of the poles "
+                              "between inner poles alone: a complex with the topology of the shape, near its medial "
+                              "axis. Its tetrahedra are not drawn, but count.") +
+                  paper)
+                     .c_str(),
+                 {140, 50, 100}, shape_layer));
   registry.add_layer(make_layer(
       "outer-poles", "Outer poles", stage,
       ("The poles outside" + poles + " Those at infinity, of samples on the convex hull, are not shown." + paper)
@@ -137,6 +188,32 @@ void register_power_crust_3(Registry& registry) {
                                  paper)
                                     .c_str(),
                                 {60, 60, 170}, crust_layer));
+  Layer_spec pairs = make_layer(
+      "polar-pairs", "Polar pairs", stage,
+      (std::string("The two poles of each sample, joined to it by segments whose id is the sample: their direction is "
+                   "about that of the normal. Values are the confidence, minus the cosine of the angle between the "
+                   "poles as the sample sees them (1 where they are opposite, 0 where the angle is not obtuse), "
+                   "whether the pole is inside (1) or outside (0), and its radius. Poles at infinity are not shown.") +
+       paper)
+          .c_str(),
+      {150, 140, 60}, pair_layer);
+  pairs.style.line_width = 1;
+  registry.add_layer(std::move(pairs));
+  Layer_spec conflicts = make_layer("label-conflicts", "Label conflicts", stage,
+                                    "Samples with both poles on one side: the surface is open, noisy, too sparsely "
+                                    "sampled or sharp there. Empty for a densely sampled smooth closed surface.",
+                                    {215, 30, 50}, conflict_layer);
+  conflicts.style.point_size = 8;
+  registry.add_layer(std::move(conflicts));
+  Layer_spec triangulation = make_layer(
+      "polar-triangulation", "Polar triangulation", "Internals",
+      (std::string("The edges of the regular triangulation of the polar balls, without poles at infinity. Their value "
+                   "is how many of their ends are inner poles: across those with one runs the power crust.") +
+       paper)
+          .c_str(),
+      {170, 150, 180}, triangulation_layer);
+  triangulation.style.line_width = 1;
+  registry.add_layer(std::move(triangulation));
 }
 
 }  // namespace mesecina

@@ -1,67 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/power_crust_3/power_crust_3.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "core/disjoint_sets.h"
 #include "geometries/edge_ring_3.h"
 #include "geometries/parallel.h"
+#include "geometries/union_3/power_center_3.h"
 
 namespace mesecina {
 
 namespace {
-
-using Interval = CGAL::Interval_nt<false>;
-using Rational = CGAL::Exact_rational;
-
-template <class Number>
-using Coordinates = std::array<Number, 3>;
-
-/// A ball as the regular triangulation knows it.
-struct Weighted_point {
-  Point_3 center;
-  double weight = 0;
-};
-
-/// From the center of the first ball to the point of equal power distance to all four.
-template <class Number>
-Coordinates<Number> offset_of_power_center(const std::array<Weighted_point, 4>& balls) {
-  const Point_3& origin = balls[0].center;
-  std::array<Coordinates<Number>, 3> to{};
-  Coordinates<Number> power{};
-  for (int i = 0; i < 3; ++i) {
-    const Point_3& c = balls[i + 1].center;
-    to[i] = {Number(c.x) - Number(origin.x), Number(c.y) - Number(origin.y), Number(c.z) - Number(origin.z)};
-    power[i] = to[i][0] * to[i][0] + to[i][1] * to[i][1] + to[i][2] * to[i][2] + Number(balls[0].weight) -
-               Number(balls[i + 1].weight);
-  }
-  const auto minor = [&to](int i, int j, int k) -> Number {
-    return to[i][(k + 1) % 3] * to[j][(k + 2) % 3] - to[i][(k + 2) % 3] * to[j][(k + 1) % 3];
-  };
-  const Number twice_volume = 2 * (to[0][0] * minor(1, 2, 0) + to[0][1] * minor(1, 2, 1) + to[0][2] * minor(1, 2, 2));
-  Coordinates<Number> result{};
-  for (int k = 0; k < 3; ++k)
-    result[k] = (power[0] * minor(1, 2, k) + power[1] * minor(2, 0, k) + power[2] * minor(0, 1, k)) / twice_volume;
-  return result;
-}
-
-/// Wants upward rounding.
-Point_3 rounded_power_center(const std::array<Weighted_point, 4>& balls, double error) {
-  const auto rough = offset_of_power_center<Interval>(balls);
-  const auto is_sure = [error](const Interval& x) { return x.sup() - x.inf() <= error; };
-  if (std::ranges::all_of(rough, is_sure)) {
-    const auto middle = [](const Interval& x) { return (x.inf() + x.sup()) / 2; };
-    return balls[0].center + Point_3{middle(rough[0]), middle(rough[1]), middle(rough[2])};
-  }
-  const auto sure = offset_of_power_center<Rational>(balls);
-  const Point_3& c = balls[0].center;
-  return {CGAL::to_double(Rational(c.x) + sure[0]), CGAL::to_double(Rational(c.y) + sure[1]),
-          CGAL::to_double(Rational(c.z) + sure[2])};
-}
 
 /// The first sample that lies on the spheres of all these poles; -1 for none.
 int shared_sample(const Poles_3& poles, std::array<int, 4> four) {
@@ -142,14 +92,7 @@ class Crust_builder {
         centers_[c] = poles_.points[samples_[c]];
         return;
       }
-      std::array<Weighted_point, 4> balls{};
-      for (int i = 0; i < 4; ++i) {
-        const auto& [center, radius] = regular_.balls[regular_.cells[c][i]];
-        balls[i] = {center, radius * radius};
-      }
-      std::ranges::stable_sort(balls, {}, &Weighted_point::weight);
-      const CGAL::Protect_FPU_rounding<true> upward_rounding;
-      centers_[c] = rounded_power_center(balls, error);
+      centers_[c] = power_center(regular_, static_cast<int>(c), error);
     });
   }
 

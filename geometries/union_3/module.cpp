@@ -7,6 +7,7 @@
 #include "core/graph.h"
 #include "geometries/primitives_3.h"
 #include "geometries/samples_3/module.h"
+#include "geometries/union_3/power_diagram_3.h"
 
 namespace mesecina {
 
@@ -43,20 +44,42 @@ Primitive_set regular_layer(Context& context) {
   const auto regular = context.get(regular_3_key);
   Primitive_set set = primitives_in_space();
   set.vertices = centers_of(regular->balls);
-  for (std::size_t c = 0; c < regular->cells.size(); ++c) {
-    for (int i = 0; i < 4; ++i) {
-      for (int j = i + 1; j < 4; ++j) {
-        const int a = std::min(regular->cells[c][i], regular->cells[c][j]);
-        const int b = std::max(regular->cells[c][i], regular->cells[c][j]);
-        if (a >= 0) set.segments.push_back({a, b});
-      }
-    }
-  }
-  std::ranges::sort(set.segments);
-  set.segments.erase(std::unique(set.segments.begin(), set.segments.end()), set.segments.end());
+  set.segments = edges_of(*regular);
   for (std::size_t b = 0; b < regular->cell_of_ball.size(); ++b)
     if (regular->cell_of_ball[b] >= 0) set.points.push_back(static_cast<int>(b));
   return select(set, std::vector<bool>(set.element_count(), true));
+}
+
+Primitive_set power_layer(Context& context) {
+  const auto dual = context.get(dual_3_key);
+  Power_faces_3 faces = bounded_power_faces(*dual->regular, context.progress());
+  if (faces.size() == 0) throw Unavailable("all faces of the power diagram are unbounded: no ball lies between others");
+  std::vector<std::array<int, 2>> met;
+  met.reserve(dual->edges.size());
+  for (const Dual_3::Edge& edge : dual->edges)
+    met.push_back({std::min(edge.balls[0], edge.balls[1]), std::max(edge.balls[0], edge.balls[1])});
+  std::ranges::sort(met);
+  Values meets{"meets-union", "", {}};
+  for (const auto& [a, b] : faces.balls)
+    meets.data.push_back(std::ranges::binary_search(met, std::array{std::min(a, b), std::max(a, b)}) ? 1 : 0);
+  Primitive_set set = primitives_in_space();
+  set.vertices = std::move(faces.vertices);
+  set.polygon_offsets = std::move(faces.offsets);
+  set.polygon_vertices = std::move(faces.corners);
+  set.values.push_back(std::move(meets));
+  set.is_complex = true;
+  return select(set, std::vector<bool>(set.element_count(), true));
+}
+
+Primitive_set union_vertex_layer(Context& context) {
+  const auto vertices = context.get(union_vertices_3_key);
+  Primitive_set set = point_primitives(vertices->points);
+  Values balls{"balls", "", {}};
+  for (std::size_t v = 0; v < vertices->points.size(); ++v)
+    balls.data.push_back(static_cast<double>(vertices->balls_of(static_cast<int>(v)).size()));
+  const std::vector<std::uint8_t> singular = have_singular_triangles(*vertices);
+  set.values = {std::move(balls), {"singular", "", std::vector<double>(singular.begin(), singular.end())}};
+  return set;
 }
 
 std::string betti_text(const Topology& topology) {
@@ -124,9 +147,9 @@ void warn_of_special_positions(Context& context, const Medial_complex_3& axis, c
   context.warn(
       "The medial axis has not the topology of the union: more than three spheres meet in points within rounding. To "
       "mend that, let balls be moved a little: " +
-      std::string(context.input(balls_input) ? "set given-perturbation to 1e-6, or to 1e-4 for balls that come from "
-                                               "samples."
-                                             : "set perturbation to more than it is."));
+      std::string(context.input(balls_input)
+                      ? "set given-perturbation to 1e-6, or to 1e-4 for balls that come from samples."
+                      : "set perturbation to more than it is."));
 }
 
 void register_union_3(Registry& registry) {
@@ -145,11 +168,18 @@ void register_union_3(Registry& registry) {
   registry.add_layer(make_layer("regular-triangulation", "Regular triangulation", "Power diagram",
                                 "The dual of the power diagram of the balls. [F. Aurenhammer: Power diagrams, 1987]",
                                 {120, 120, 130}, regular_layer));
+  registry.add_layer(make_layer("power-diagram", "Power diagram", "Power diagram",
+                                "Where two balls are nearest in the power distance, the squared distance of the center "
+                                "less the squared radius: the bounded faces. Their value is 1 where a face meets the "
+                                "union of the balls, 0 where it does not. [F. Aurenhammer: Power diagrams, 1987]",
+                                {150, 160, 200}, power_layer));
   add_dual_layers(registry);
-  registry.add_layer(
-      make_layer("union-vertices", "Vertices of the union", "Union of balls",
-                 "V(U): where three spheres meet on the boundary of the union.", {180, 40, 40},
-                 [](Context& context) { return point_primitives(context.get(union_vertices_3_key)->points); }));
+  registry.add_layer(make_layer(
+      "union-vertices", "Vertices of the union", "Union of balls",
+      "V(U): where three spheres meet on the boundary of the union. Values are how many balls have the vertex on their "
+      "sphere, and whether three of these balls make a singular triangle of the dual complex (1), so that their "
+      "spheres meet in two vertices, or not (0). [N. Amenta, R. Kolluri: The medial axis of a union of balls, 2001]",
+      {180, 40, 40}, union_vertex_layer));
 }
 
 }  // namespace mesecina

@@ -28,6 +28,10 @@ struct Union_vertices_3 {
 /// O(n).
 Union_vertices_3 union_vertices(std::shared_ptr<const Dual_3> dual, Progress& progress);
 
+/// Per vertex: a singular triangle of the dual complex has three of its balls. The spheres of these three then meet in
+/// two vertices; those of other triangles of the boundary in one. O(n) where few balls go through one vertex.
+std::vector<std::uint8_t> have_singular_triangles(const Union_vertices_3& vertices);
+
 /// Where the spheres of three balls meet: on the side to which the normal (right-hand rule) of their centers points, or
 /// on the other one. To rounding; where they only nearly meet, the point between them.
 Point_3 meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, bool is_above);

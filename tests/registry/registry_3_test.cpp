@@ -55,12 +55,16 @@ const std::set<std::string> promised_layers = {"mesh",
                                                "outer-poles",
                                                "power-crust",
                                                "power-shape",
+                                               "polar-pairs",
+                                               "label-conflicts",
+                                               "polar-triangulation",
                                                "inner-voronoi-vertices",
                                                "outer-voronoi-vertices",
                                                "inner-delaunay",
                                                "inner-voronoi",
                                                "balls",
                                                "regular-triangulation",
+                                               "power-diagram",
                                                "dual-faces",
                                                "dual-triangles",
                                                "dual-edges",
@@ -132,10 +136,26 @@ TEST(Registry_3, EveryLayerIsComputedOfAMesh) {
 }
 
 TEST(Registry_3, EveryLayerIsComputedOfBalls) {
-  expect_layers(Inputs().with(balls_input, balls_of_all_kinds()),
-                {"mesh", "points", "solid", "samples", "delaunay", "voronoi", "convex-hull", "gabriel-complex",
-                 "inner-poles", "outer-poles", "power-crust", "power-shape", "outer-voronoi-vertices",
-                 "inner-voronoi-vertices", "inner-delaunay", "inner-voronoi"});
+  expect_layers(Inputs().with(balls_input, balls_of_all_kinds()), {"mesh",
+                                                                   "points",
+                                                                   "solid",
+                                                                   "samples",
+                                                                   "delaunay",
+                                                                   "voronoi",
+                                                                   "convex-hull",
+                                                                   "gabriel-complex",
+                                                                   "inner-poles",
+                                                                   "outer-poles",
+                                                                   "power-crust",
+                                                                   "power-shape",
+                                                                   "polar-pairs",
+                                                                   "label-conflicts",
+                                                                   "polar-triangulation",
+                                                                   "power-diagram",
+                                                                   "outer-voronoi-vertices",
+                                                                   "inner-voronoi-vertices",
+                                                                   "inner-delaunay",
+                                                                   "inner-voronoi"});
 }
 
 TEST(Registry_3, EveryLayerIsComputedOfPoints) {
