@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/formats/number.h"
+#include "core/input_elements.h"
 
 namespace mesecina {
 
@@ -32,69 +33,17 @@ Inputs with_rings(const Inputs& inputs, Outline_2 outline) {
   return inputs.with(outline_input, std::move(outline));
 }
 
-/// Calls change(disk) for each selected disk and returns the inputs with what became of them.
-template <class Change>
-Inputs changed_disks(const Inputs& inputs, const Selection_2& selection, Change change) {
-  const auto disks = inputs.get(disks_input);
-  if (!disks || selection.disks.empty()) return inputs;
-  std::vector<Disk_2> copy = *disks;
-  for (const std::size_t i : selection.disks)
-    if (i < copy.size()) change(copy[i]);
-  return inputs.with(disks_input, std::move(copy));
-}
-
 /// Calls change(position) for each selected one and returns the inputs with what became of them.
 template <class Change>
 Inputs changed(const Inputs& inputs, const Selection_2& selection, Change change) {
-  Inputs result = inputs;
-  if (const auto points = inputs.get(points_input); points && !selection.points.empty()) {
-    std::vector<Point_2> copy = *points;
-    for (const std::size_t i : selection.points)
-      if (i < copy.size()) change(copy[i]);
-    result = result.with(points_input, std::move(copy));
-  }
+  Inputs result = changed_elements(inputs, points_input, selection.points, change);
   if (const auto outline = inputs.get(outline_input); outline && !selection.vertices.empty()) {
     Outline_2 copy = *outline;
     for (const Vertex_2& at : selection.vertices)
       if (at.ring < copy.rings.size() && at.vertex < copy.rings[at.ring].size()) change(copy.rings[at.ring][at.vertex]);
     result = result.with(outline_input, std::move(copy));
   }
-  return changed_disks(result, selection, [&](Disk_2& disk) { change(disk.center); });
-}
-
-/// Without the elements whose numbers are in `removed`, which is sorted.
-template <class T>
-std::vector<T> kept(const std::vector<T>& all, const std::vector<std::size_t>& removed) {
-  std::vector<T> result;
-  result.reserve(all.size());
-  auto next = removed.begin();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (next != removed.end() && *next == i) {
-      ++next;
-    } else {
-      result.push_back(all[i]);
-    }
-  }
-  return result;
-}
-
-template <class T>
-Inputs without_elements(const Inputs& inputs, Input_key<std::vector<T>> key, const std::vector<std::size_t>& removed) {
-  const auto all = inputs.get(key);
-  if (!all || removed.empty()) return inputs;
-  std::vector<T> rest = kept(*all, removed);
-  return rest.empty() ? inputs.with(key, std::shared_ptr<const std::vector<T>>()) : inputs.with(key, std::move(rest));
-}
-
-template <class T>
-Inputs with_elements(const Inputs& inputs, Input_key<std::vector<T>> key, const std::vector<T>& added) {
-  if (added.empty()) return inputs;
-  const auto old = inputs.get(key);
-  std::vector<T> all;
-  all.reserve((old ? old->size() : 0) + added.size());
-  if (old) all = *old;
-  all.insert(all.end(), added.begin(), added.end());
-  return inputs.with(key, std::move(all));
+  return changed_elements(result, disks_input, selection.disks, [&](Disk_2& disk) { change(disk.center); });
 }
 
 /// The disk whose boundary is nearest within `radius`; empty if there is none.
@@ -232,14 +181,14 @@ Inputs moved(const Inputs& inputs, const Selection_2& selection, double dx, doub
 }
 
 Inputs resized(const Inputs& inputs, const Selection_2& selection, double factor) {
-  return changed_disks(inputs, selection, [factor](Disk_2& disk) {
+  return changed_elements(inputs, disks_input, selection.disks, [factor](Disk_2& disk) {
     const double radius = disk.radius * factor;
     if (radius > 0 && std::isfinite(radius)) disk.radius = radius;
   });
 }
 
 Inputs with_disk(const Inputs& inputs, std::size_t index, const Disk_2& disk) {
-  return changed_disks(inputs, {{}, {}, {index}}, [&disk](Disk_2& changed_disk) { changed_disk = disk; });
+  return changed_elements(inputs, disks_input, {index}, [&disk](Disk_2& changed_disk) { changed_disk = disk; });
 }
 
 Inputs placed(const Inputs& inputs, const Selection_2& selection, const Point_2& position) {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/input_elements.h"
+
 namespace mesecina {
 
 namespace {
@@ -13,21 +15,12 @@ QString part_name(const std::string& input_id) {
   return Files_3::tr("points");
 }
 
-template <class T>
-Inputs with_both(const Inputs& inputs, const Inputs& more, Input_key<std::vector<T>> key) {
-  const auto added = more.get(key);
-  if (!added) return inputs;
-  const auto own = inputs.get(key);
-  if (!own) return inputs.with(key, added);
-  std::vector<T> both = *own;
-  both.insert(both.end(), added->begin(), added->end());
-  return inputs.with(key, std::move(both));
-}
-
 }  // namespace
 
 Inputs appended_3(const Inputs& inputs, const Inputs& more) {
-  Inputs result = with_both(with_both(inputs, more, balls_input), more, cloud_input);
+  Inputs result = inputs;
+  if (const auto balls = more.get(balls_input)) result = with_elements(result, balls_input, *balls);
+  if (const auto cloud = more.get(cloud_input)) result = with_elements(result, cloud_input, *cloud);
   const auto added = more.get(mesh_input);
   if (!added) return result;
   const auto own = inputs.get(mesh_input);

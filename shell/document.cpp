@@ -30,7 +30,10 @@ bool same_data(const Inputs& first, const Inputs& second) {
     if (first.identity(id) == second.identity(id)) continue;
     const bool is_same = (id == points_input.id && same_value(first, second, points_input)) ||
                          (id == disks_input.id && same_value(first, second, disks_input)) ||
-                         (id == outline_input.id && same_value(first, second, outline_input));
+                         (id == outline_input.id && same_value(first, second, outline_input)) ||
+                         (id == balls_input.id && same_value(first, second, balls_input)) ||
+                         (id == cloud_input.id && same_value(first, second, cloud_input)) ||
+                         (id == mesh_input.id && same_value(first, second, mesh_input));
     if (!is_same) return false;
   }
   return true;
@@ -104,12 +107,16 @@ void Document::edit_layers(Layer_list layers, const QString& text, const QString
 }
 
 void Document::mark_saved(const std::vector<std::string>& input_ids) {
-  for (const std::string& id : input_ids) {
-    if (id == points_input.id) saved_ = saved_.with(points_input, state_.inputs.get(points_input));
-    if (id == disks_input.id) saved_ = saved_.with(disks_input, state_.inputs.get(disks_input));
-    if (id == outline_input.id) saved_ = saved_.with(outline_input, state_.inputs.get(outline_input));
-    if (id == image_input.id) saved_ = saved_.with(image_input, state_.inputs.get(image_input));
-  }
+  const auto mark = [&](auto key) {
+    if (std::ranges::find(input_ids, key.id) != input_ids.end()) saved_ = saved_.with(key, state_.inputs.get(key));
+  };
+  mark(points_input);
+  mark(disks_input);
+  mark(outline_input);
+  mark(image_input);
+  mark(mesh_input);
+  mark(balls_input);
+  mark(cloud_input);
   // What comes now is another step, so that undo stops at what was saved.
   history_.setClean();
   tell_modified();

@@ -30,7 +30,7 @@ struct Document_change {
   bool layers = false;
 };
 
-/// True when both hold equal points, disks and outlines; other inputs are compared by identity. O(size) at worst.
+/// True when both hold equal data; images are compared by identity. O(size) at worst.
 bool same_data(const Inputs& first, const Inputs& second);
 
 /// The state of a program with its history. Only this class changes the state.
