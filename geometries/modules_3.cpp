@@ -4,6 +4,7 @@
 #include "geometries/delaunay_3/module.h"
 #include "geometries/delaunay_parts_3/module.h"
 #include "geometries/inputs_3/module.h"
+#include "geometries/internals_3/module.h"
 #include "geometries/medial_features_3/module.h"
 #include "geometries/medial_filtrations_3/module.h"
 #include "geometries/power_crust_3/module.h"
@@ -27,10 +28,12 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_sides_3(*registry);
   register_union_3(*registry);
   register_medial_filtrations_3(*registry);
-  register_scale_axis_3(*registry);
   register_medial_features_3(*registry);
+  register_scale_axis_3(*registry);
+  register_scale_axis_features_3(*registry);
   register_surface_3(*registry);
   register_surface_error_3(*registry);
+  register_internals_3(*registry);
   return registry;
 }
 

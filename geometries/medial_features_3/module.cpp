@@ -164,26 +164,31 @@ void add_feature_layers(Registry& registry, bool is_scale_axis) {
 }  // namespace
 
 void register_medial_features_3(Registry& registry) {
-  registry.begin_module({"medial-features-3", "Features of medial axes",
-                         "What a medial axis in space is made of: sheets, their seams and rims, and junctions."});
+  registry.begin_module({"medial-features-3", "Features of the medial axis",
+                         "What the medial axis of the union is made of: sheets, their seams and rims, and junctions."});
   registry.add_structure<Medial_features_3>(medial_features_3_key, [](Context& context) {
     const auto axis = context.get(medial_axis_3_key);
     return medial_features(*axis, sheets(*axis).sheet_of_face);
   });
-  registry.add_structure<Medial_features_3>(scale_axis_features_3_key, [](Context& context) {
-    const auto pruned = context.get(pruned_axis_3_key);
-    return medial_features(pruned->complex, pruned->sheets.sheet_of_face);
-  });
-  Layer_spec sheets = make_layer(
+  Layer_spec by_sheets = make_layer(
       "sheets", "Sheets", "Union of balls",
       "The medial axis by its sheets: faces that hang together across edges with two faces. Values are the number of "
       "the sheet (-1 where several meet and where there is none), its area, and its largest contact angle, 180 for "
       "what has no face. Values of edges and vertices are the largest of the faces around them.",
       {60, 130, 90}, sheet_layer);
-  sheets.style.value = "sheet";
-  sheets.style.color_map = "random";
-  registry.add_layer(std::move(sheets));
+  by_sheets.style.value = "sheet";
+  by_sheets.style.color_map = "random";
+  registry.add_layer(std::move(by_sheets));
   add_feature_layers(registry, false);
+}
+
+void register_scale_axis_features_3(Registry& registry) {
+  registry.begin_module({"scale-axis-features-3", "Features of the scale axis",
+                         "Seams, rims and junctions of the scale axis before it is sampled."});
+  registry.add_structure<Medial_features_3>(scale_axis_features_3_key, [](Context& context) {
+    const auto pruned = context.get(pruned_axis_3_key);
+    return medial_features(pruned->complex, pruned->sheets.sheet_of_face);
+  });
   add_feature_layers(registry, true);
 }
 

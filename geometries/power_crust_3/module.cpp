@@ -8,7 +8,6 @@
 #include "core/graph.h"
 #include "geometries/delaunay_3/module.h"
 #include "geometries/primitives_3.h"
-#include "geometries/union_3/power_diagram_3.h"
 
 namespace mesecina {
 
@@ -93,20 +92,6 @@ Primitive_set conflict_layer(Context& context) {
   Primitive_set set = point_primitives(std::move(samples));
   set.ids.assign(polar->contradictions.begin(), polar->contradictions.end());
   return set;
-}
-
-Primitive_set triangulation_layer(Context& context) {
-  const auto polar = context.get(polar_balls_3_key);
-  Primitive_set set = primitives_in_space();
-  Values inner{"inner-poles", "", {}};
-  for (const Ball_3& ball : polar->regular->balls) set.vertices.push_back(ball.center);
-  for (const auto& edge : edges_of(*polar->regular)) {
-    if (polar->poles->is_infinite(edge[0]) || polar->poles->is_infinite(edge[1])) continue;
-    set.segments.push_back(edge);
-    inner.data.push_back(polar->is_inner[edge[0]] + polar->is_inner[edge[1]]);
-  }
-  set.values.push_back(std::move(inner));
-  return select(set, std::vector<bool>(set.element_count(), true));
 }
 
 Primitive_set crust_layer(Context& context) {
@@ -205,15 +190,6 @@ void register_power_crust_3(Registry& registry) {
                                     {215, 30, 50}, conflict_layer);
   conflicts.style.point_size = 8;
   registry.add_layer(std::move(conflicts));
-  Layer_spec triangulation = make_layer(
-      "polar-triangulation", "Polar triangulation", "Internals",
-      (std::string("The edges of the regular triangulation of the polar balls, without poles at infinity. Their value "
-                   "is how many of their ends are inner poles: across those with one runs the power crust.") +
-       paper)
-          .c_str(),
-      {170, 150, 180}, triangulation_layer);
-  triangulation.style.line_width = 1;
-  registry.add_layer(std::move(triangulation));
 }
 
 }  // namespace mesecina
