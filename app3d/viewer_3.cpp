@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "layers/painter_canvas.h"
@@ -29,8 +28,6 @@ constexpr double zoom_per_notch = 1.2;
 
 qglviewer::Vec to_vec(const Point_3& p) { return {p.x, p.y, p.z}; }
 Point_3 to_point(const qglviewer::Vec& v) { return {v.x, v.y, v.z}; }
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 }  // namespace
 
@@ -58,17 +55,17 @@ Viewer_3::Viewer_3(bool is_software, QWidget* parent) : QGLViewer(parent), is_so
     pivot_.reset();
     QOpenGLWidget::update();
   });
-  clearMouseBindings();
   clearShortcuts();
-  setMouseBinding(Qt::NoModifier, Qt::LeftButton, CAMERA, ROTATE);
-  setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
-  setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
-  camera()->frame()->setRotatesAroundUpVector(true);
-  camera()->frame()->setSceneUpVector(qglviewer::Vec(0, 1, 0));
+  set_mouse_preset(Mouse_preset::standard);
+  set_free_turning(false);
+  set_up(up_);
   // The view stays where the mouse leaves it.
   constexpr double never = 1e9;
   camera()->frame()->setSpinningSensitivity(never);
   connect(camera()->frame(), &qglviewer::ManipulatedCameraFrame::manipulated, this, [this] { moved(); });
+  constexpr int frame_milliseconds = 15;
+  flight_timer_.setInterval(frame_milliseconds);
+  connect(&flight_timer_, &QTimer::timeout, this, &Viewer_3::fly);
 }
 
 Viewer_3::~Viewer_3() { free_renderer(); }
@@ -103,8 +100,14 @@ void Viewer_3::set_overlay(std::vector<Scene_layer> overlay) {
 }
 
 void Viewer_3::set_tool(Viewer_tool_3* tool) {
+  if (dragging_ == tool_) dragging_ = nullptr;
   tool_ = tool;
-  is_tool_dragging_ = false;
+  QOpenGLWidget::update();
+}
+
+void Viewer_3::set_handle(Viewer_tool_3* handle) {
+  if (dragging_ == handle_) dragging_ = nullptr;
+  handle_ = handle;
   QOpenGLWidget::update();
 }
 
@@ -119,105 +122,6 @@ Id_picture Viewer_3::ids_of(const Scene& scene) {
 void Viewer_3::set_cutting_plane(const std::optional<Cutting_plane_3>& plane) {
   cutting_plane_ = plane;
   moved();
-}
-
-View_3 Viewer_3::view() const {
-  Camera_3 seen;
-  seen.position = to_point(camera()->position());
-  seen.up = to_point(camera()->upVector());
-  // The middle of the picture at the distance of the pivot.
-  const Point_3 ahead = to_point(camera()->viewDirection());
-  const double away = std::abs(camera()->cameraCoordinatesOf(camera()->pivotPoint()).z);
-  constexpr double least = 1e-9;
-  seen.target = seen.position + std::max(away, least * std::max(1.0, camera()->sceneRadius())) * ahead;
-  seen.field_of_view = camera()->fieldOfView() * 180 / std::numbers::pi;
-  if (camera()->type() == qglviewer::Camera::ORTHOGRAPHIC) {
-    seen.projection = Camera_3::Projection::orthographic;
-    double half_width = 1;
-    double half_height = 1;
-    camera()->getOrthoWidthHeight(half_width, half_height);
-    seen.height = 2 * half_height;
-  } else {
-    seen.height = seen.height_at_target();
-  }
-  return {seen, cutting_plane_};
-}
-
-void Viewer_3::set_camera(const Camera_3& seen) {
-  qglviewer::Camera& own = *camera();
-  const Camera_3::Axes axes = seen.axes();
-  const bool is_orthographic = seen.projection == Camera_3::Projection::orthographic;
-  own.setType(qglviewer::Camera::PERSPECTIVE);
-  own.setFieldOfView(radians(seen.field_of_view));
-  qglviewer::Quaternion turned;
-  turned.setFromRotatedBasis(to_vec(axes.right), to_vec(axes.up), to_vec(axes.back));
-  own.setOrientation(turned);
-  Point_3 position = seen.position;
-  if (is_orthographic) {
-    // libQGLViewer shows as much without perspective as it would with it, at the pivot.
-    const double shape = own.aspectRatio() < 1 ? own.aspectRatio() : 1;
-    position = seen.target + (seen.height * shape / 2 / std::tan(own.fieldOfView() / 2)) * axes.back;
-  }
-  own.setPosition(to_vec(position));
-  own.setPivotPoint(to_vec(seen.target));
-  if (is_orthographic) own.setType(qglviewer::Camera::ORTHOGRAPHIC);
-  moved();
-}
-
-void Viewer_3::set_view(const View_3& view) {
-  cutting_plane_ = view.cutting_plane;
-  set_camera(view.camera);
-}
-
-void Viewer_3::fit(const Box& box) {
-  const Camera_3 seen = view().camera;
-  set_camera(fit_camera(box, width(), height(), seen.axes().back, seen.up, seen.projection));
-}
-
-void Viewer_3::look_from(const Point_3& direction, const Point_3& up) {
-  set_camera(fit_camera(drawn_box(scene_), width(), height(), direction, up, view().camera.projection));
-}
-
-void Viewer_3::set_projection(Camera_3::Projection projection) {
-  Camera_3 seen = view().camera;
-  if (seen.projection == projection) return;
-  seen.projection = projection;
-  if (projection == Camera_3::Projection::perspective)
-    seen.position = seen.target + (seen.height / 2 / std::tan(radians(seen.field_of_view) / 2)) * seen.axes().back;
-  set_camera(seen);
-}
-
-void Viewer_3::zoom_about(const Point_3& place, double factor) {
-  Camera_3 seen = view().camera;
-  const Camera_3::Axes axes = seen.axes();
-  const Point_3 pivot = to_point(camera()->pivotPoint());
-  if (seen.projection == Camera_3::Projection::orthographic) {
-    // Along the direction of sight nothing moves.
-    const Point_3 across = place - dot(place - seen.target, axes.back) * axes.back;
-    seen.target = across + (1 / factor) * (seen.target - across);
-    seen.height /= factor;
-    set_camera(seen);
-    camera()->setPivotPoint(to_vec(pivot));
-    return;
-  }
-  const Point_3 position = place + (1 / factor) * (seen.position - place);
-  // Never so near that nothing moves any more.
-  constexpr double nearest = 1e-6;
-  if (distance(position, place) < nearest * camera()->sceneRadius()) return;
-  camera()->setPosition(to_vec(position));
-  camera()->setPivotPoint(to_vec(pivot));
-  moved();
-}
-
-void Viewer_3::zoom(double factor) { zoom_about(view().camera.target, factor); }
-
-Point_3 Viewer_3::place_under(const QPointF& pixel) {
-  if (const auto hit = pick(pixel, 0)) return hit->place;
-  const Camera_3 seen = view().camera;
-  const Camera_3::Axes axes = seen.axes();
-  const double per_pixel = seen.height_at_target() / std::max(1, height());
-  return seen.target + ((pixel.x() - width() / 2.0) * per_pixel) * axes.right -
-         ((pixel.y() - height() / 2.0) * per_pixel) * axes.up;
 }
 
 std::optional<Id_picture::Hit> Viewer_3::pick(const QPointF& pixel, double tolerance) {
@@ -251,7 +155,8 @@ void Viewer_3::paint(int samples) {
   if (!is_resting_) here.most_translucent_layers = layers_while_moving;
   std::vector<Scene_layer> above = overlay_;
   if (pivot_) above.push_back(*pivot_);
-  if (tool_) std::ranges::move(tool_->overlay(), std::back_inserter(above));
+  for (const Viewer_tool_3* tool : {handle_, tool_})
+    if (tool) std::ranges::move(tool->overlay(), std::back_inserter(above));
   Scene shown = scene_;
   shown.transparent_background = false;
   renderer_->draw(shown, above, view(), here);
@@ -264,8 +169,35 @@ void Viewer_3::paintGL() {
   device.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&device);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (tool_) tool_->paint(painter);
+  for (const Viewer_tool_3* tool : {handle_, tool_})
+    if (tool) tool->paint(painter);
+  paint_marks(painter);
   paint_color_bars(painter, scene_, width(), height());
+}
+
+QPointF Viewer_3::corner_of_marks() const {
+  constexpr double margin = 8;
+  const double below = below_marks_ && below_marks_->isVisible() ? height() - below_marks_->y() : 0;
+  return {margin, height() - below - margin};
+}
+
+Axis_gizmo Viewer_3::gizmo() const {
+  return {view().camera, corner_of_marks() + QPointF(Axis_gizmo::size, -Axis_gizmo::size) / 2};
+}
+
+Scale_bar Viewer_3::scale() const {
+  constexpr double most_pixels = 140;
+  return scale_bar(std::max(1, height()) / view().camera.height_at_target(), most_pixels);
+}
+
+void Viewer_3::paint_marks(QPainter& painter) const {
+  painter.setFont(font());
+  if (has_gizmo_) gizmo().paint(painter, scene_.background, hovered_axis_);
+  if (!has_scale_bar_) return;
+  constexpr double lift = 4;
+  const bool is_exact = view().camera.projection == Camera_3::Projection::orthographic;
+  const double beside = has_gizmo_ ? Axis_gizmo::size + 2 * lift : 0;
+  paint_scale_bar(painter, scale(), is_exact, corner_of_marks() + QPointF(beside, -lift), scene_.background);
 }
 
 void Viewer_3::draw() { paint(is_resting_ || !is_software_ ? 2 : 1); }
@@ -295,57 +227,82 @@ void Viewer_3::show_pivot() {
   QOpenGLWidget::update();
 }
 
+/// The first of handle and tool that takes what is offered; null for none.
+Viewer_tool_3* Viewer_3::taker(const std::function<bool(Viewer_tool_3&)>& offer) const {
+  for (Viewer_tool_3* tool : {handle_, tool_})
+    if (tool && offer(*tool)) return tool;
+  return nullptr;
+}
+
 void Viewer_3::mousePressEvent(QMouseEvent* event) {
   Q_EMIT left();
-  is_tool_dragging_ = is_tool_dragging_ || (tool_ && tool_->press(*event));
-  if (!is_tool_dragging_) QGLViewer::mousePressEvent(event);
+  if (dragging_) return;
+  const auto axis = has_gizmo_ && event->button() == Qt::LeftButton ? gizmo().direction_at(event->position())
+                                                                    : std::optional<Point_3>();
+  if (axis) {
+    constexpr double almost = 0.999;
+    const bool is_seen_from_there = dot(destination().camera.axes().back, *axis) > almost;
+    look_from((is_seen_from_there ? -1.0 : 1.0) * *axis);
+    return;
+  }
+  dragging_ = taker([&](Viewer_tool_3& tool) { return tool.press(*event); });
+  if (dragging_) return;
+  Q_EMIT camera_taken();
+  stop_flight();
+  if (!before_gesture_) before_gesture_ = view();
+  QGLViewer::mousePressEvent(event);
 }
 
 void Viewer_3::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() == Qt::NoButton) {
+    const auto axis = has_gizmo_ ? gizmo().direction_at(event->position()) : std::optional<Point_3>();
+    if (std::exchange(hovered_axis_, axis) != axis) QOpenGLWidget::update();
     Q_EMIT hovered(event->position());
-    return;
-  }
-  if (is_tool_dragging_) {
-    tool_->drag(*event);
+  } else if (dragging_) {
+    dragging_->drag(*event);
   } else {
     QGLViewer::mouseMoveEvent(event);
   }
 }
 
 void Viewer_3::mouseReleaseEvent(QMouseEvent* event) {
-  if (std::exchange(is_tool_dragging_, false)) {
-    tool_->release(*event);
-  } else {
-    QGLViewer::mouseReleaseEvent(event);
+  if (Viewer_tool_3* tool = std::exchange(dragging_, nullptr)) {
+    tool->release(*event);
+    return;
   }
+  QGLViewer::mouseReleaseEvent(event);
+  if (tool_) tool_->release(*event);
+  if (event->buttons() != Qt::NoButton) return;
+  if (before_gesture_ && !is_flying() && !is_nearly_equal(*before_gesture_, view()))
+    history_.remember(*before_gesture_);
+  before_gesture_.reset();
 }
 
 void Viewer_3::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (tool_ && tool_->double_click(*event)) {
-    is_tool_dragging_ = true;
-    return;
-  }
-  if (event->button() != Qt::LeftButton) return;
+  // The second of two quick clicks.
+  if (has_gizmo_ && gizmo().direction_at(event->position())) return;
+  dragging_ = taker([&](Viewer_tool_3& tool) { return tool.double_click(*event); });
+  if (dragging_ || event->button() != Qt::LeftButton) return;
   if (const auto hit = pick(event->position(), 0)) {
+    stop_flight();
     camera()->setPivotPoint(to_vec(hit->place));
     show_pivot();
   }
 }
 
 void Viewer_3::wheelEvent(QWheelEvent* event) {
-  if (tool_ && tool_->wheel(*event)) {
-    event->accept();
-    return;
-  }
+  event->accept();
+  if (taker([&](Viewer_tool_3& tool) { return tool.wheel(*event); })) return;
   constexpr double eighths_per_notch = 120;
   const double notches = event->angleDelta().y() / eighths_per_notch;
-  if (notches != 0) zoom_about(place_under(event->position()), std::pow(zoom_per_notch, notches));
-  event->accept();
+  if (notches == 0) return;
+  remember_step();
+  zoom_about(place_under(event->position()), std::pow(zoom_per_notch, notches));
 }
 
 void Viewer_3::leaveEvent(QEvent* event) {
   QGLViewer::leaveEvent(event);
+  hovered_axis_.reset();
   Q_EMIT left();
 }
 

@@ -31,6 +31,7 @@ class Window_3 : public testing::Test {
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     ASSERT_NE(window_->viewer(), nullptr);
+    viewer().set_flight_time(0);
   }
 
   Viewer_3& viewer() { return *window_->viewer(); }
