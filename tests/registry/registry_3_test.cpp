@@ -178,6 +178,39 @@ TEST(Registry_3, EveryLayerHasAReasonWhereThereIsNothing) {
   }
 }
 
+TEST(Registry_3, DegenerateInputsGiveAValueOrAReasonButNoInternalError) {
+  std::vector<Point_3> lattice;
+  for (int i = 0; i < 27; ++i)
+    lattice.push_back({static_cast<double>(i % 3), static_cast<double>(i / 3 % 3), static_cast<double>(i / 9)});
+  const std::vector<std::vector<Point_3>> clouds{{{0, 0, 0}},
+                                                 {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                                                 {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}},
+                                                 {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                                                 {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                                 {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                                                 lattice};
+  std::vector<Inputs> inputs;
+  for (const auto& cloud : clouds) inputs.push_back(Inputs().with(cloud_input, cloud));
+  for (const auto& cloud : clouds) {
+    for (const double radius : {0.5, 0.75, 2.0}) {
+      std::vector<Ball_3> balls;
+      for (const Point_3& p : cloud) balls.push_back({p, radius});
+      inputs.push_back(Inputs().with(balls_input, balls));
+    }
+  }
+  const auto registry = make_registry_3();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    Graph graph(registry);
+    graph.set_inputs(inputs[i]);
+    Progress progress;
+    for (const Layer_spec& layer : registry->layers()) {
+      const auto outcome = graph.layer(layer.id, progress);
+      EXPECT_TRUE(outcome || !outcome.reason.empty()) << layer.id;
+      EXPECT_THAT(outcome.reason, testing::Not(testing::HasSubstr("internal error"))) << layer.id << " of input " << i;
+    }
+  }
+}
+
 TEST(Registry_3, OnlyWhatDependsOnTheScaleIsComputedAgain) {
   Graph graph(make_registry_3());
   graph.set_inputs(Inputs().with(mesh_input, torus()));
