@@ -3,11 +3,8 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <iterator>
@@ -19,6 +16,7 @@
 #include "core/outcome.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
+#include "geometries/spatial_order_3.h"
 
 namespace mesecina {
 
@@ -47,16 +45,6 @@ std::vector<int> first_of_equal(const std::vector<Point_3>& points) {
     site[i] = first;
   }
   return site;
-}
-
-/// Along a space-filling curve.
-std::vector<std::size_t> sorted_in_space(const std::vector<Kernel::Point_3>& places) {
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), 0);
-  using Traits = CGAL::Spatial_sort_traits_adapter_3<Kernel, CGAL::Pointer_property_map<Kernel::Point_3>::const_type>;
-  if (!places.empty())
-    CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(std::as_const(places))));
-  return order;
 }
 
 std::string why_flat(const Triangulation& triangulation) {
@@ -95,18 +83,16 @@ class Growing_delaunay_3::Implementation {
 
   /// Each from where the last one lies. Vertices get the number of a point there.
   void insert(std::span<const Point_3> points, int first, Progress& progress) {
-    std::vector<Kernel::Point_3> places;
-    places.reserve(points.size());
-    for (const Point_3& p : points) places.emplace_back(p.x, p.y, p.z);
     const bool is_followed = !cells_.empty();
     std::size_t count = 0;
-    for (const std::size_t i : sorted_in_space(places)) {
+    for (const std::size_t i : insertion_order(points)) {
       constexpr std::size_t often = 1024;
-      if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(places.size()));
+      if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(points.size()));
+      const Kernel::Point_3 place(points[i].x, points[i].y, points[i].z);
       if (!is_followed) {
-        last_ = triangulation_.insert(places[i], last_);
+        last_ = triangulation_.insert(place, last_);
         last_->info() = first + static_cast<int>(i);
-      } else if (insert_followed(places[i])) {
+      } else if (insert_followed(place)) {
         last_->info() = first + static_cast<int>(i);
         new_vertices_.push_back(last_);
       }

@@ -35,8 +35,9 @@ Ball_approximation_3 compute_approximation(Context& context) {
   Ball_approximation_3 result = approximate_by_balls(*solid, context.setting(delta_setting) * box.diagonal(),
                                                      context.setting(perturbation_setting), context.progress());
   if (result.is_exhausted)
-    context.warn("The solid is so thin that " + std::to_string(result.samples.points.size()) +
-                 " samples do not tell its sides apart everywhere, and no more are taken. Choose a smaller delta.");
+    context.warn("The balls of " + std::to_string(result.samples.points.size()) +
+                 " samples hang together in another way than the solid, and more would be too many. Choose a smaller "
+                 "delta.");
   return result;
 }
 

@@ -35,10 +35,13 @@ Medial_complex_3 compute_grown_axis(Context& context) {
 
 Pruned_axis_3 compute_pruned(Context& context) {
   const auto grown_axis = context.get(grown_medial_axis_3_key);
+  const std::vector<double> angles = angle_of_faces(*grown_axis);
+  Pruned_complex_3 kept =
+      without_small_sheets(*grown_axis, angles, context.setting(min_angle_setting), context.progress());
   Pruned_axis_3 pruned;
-  pruned.complex = without_small_sheets(*grown_axis, angle_of_faces(*grown_axis), context.setting(min_angle_setting),
-                                        context.progress());
-  pruned.angles = angle_of_faces(pruned.complex);
+  pruned.complex = std::move(kept.complex);
+  pruned.angles.reserve(kept.faces.size());
+  for (const int face : kept.faces) pruned.angles.push_back(angles[face]);
   pruned.sheets = sheets(pruned.complex);
   if (const auto steps = context.setting(rim_setting); steps > 0)
     pruned.complex = with_smooth_rims(std::move(pruned.complex), static_cast<int>(steps));

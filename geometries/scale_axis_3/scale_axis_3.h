@@ -24,10 +24,15 @@ Sheets_3 sheets(const Medial_complex_3& complex);
 /// where there is none. O(n).
 Medial_values_3 sheet_values(const Medial_complex_3& complex);
 
+/// A part of a complex, and where its faces are in the whole.
+struct Pruned_complex_3 {
+  Medial_complex_3 complex;
+  std::vector<int> faces;  ///< per face its number in the whole complex, ascending
+};
 /// The complex without the sheets whose largest face angle is less than `min_angle` degrees, the smallest first, as
 /// long as it collapses to what is left, so that the topology stays; sheets that become one when another goes count as
 /// one. `angles`: per face, in degrees. O(n log n). [B. Miklos: The Scale Axis Transform, 2010, section 6.1.3]
-Medial_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,
+Pruned_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,
                                       double min_angle, Progress& progress);
 
 /// Moves vertices on rims, where faces end and exactly two rim edges meet, toward the middle of their two neighbours,

@@ -103,8 +103,9 @@ class Pruner {
     }
   }
 
-  Medial_complex_3 result() const {
-    Medial_complex_3 result;
+  Pruned_complex_3 result() const {
+    Pruned_complex_3 pruned;
+    Medial_complex_3& result = pruned.complex;
     result.face_offsets.push_back(0);
     std::vector<int> renamed(complex_.centers.size(), -1);
     for (std::size_t v = 0; v < renamed.size(); ++v) {
@@ -116,13 +117,14 @@ class Pruner {
     }
     for (std::size_t f = 0; f < has_face_.size(); ++f) {
       if (has_face_[f] == 0) continue;
+      pruned.faces.push_back(static_cast<int>(f));
       for (const int v : complex_.face(f)) result.face_vertices.push_back(renamed[v]);
       result.face_offsets.push_back(static_cast<int>(result.face_vertices.size()));
       result.contacts.push_back(complex_.contacts[f]);
     }
     for (std::size_t e = 0; e < has_edge_.size(); ++e)
       if (has_edge_[e] != 0) result.edges.push_back({renamed[complex_.edges[e][0]], renamed[complex_.edges[e][1]]});
-    return result;
+    return pruned;
   }
 
  private:
@@ -286,7 +288,7 @@ Medial_values_3 sheet_values(const Medial_complex_3& complex) {
   return values;
 }
 
-Medial_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,
+Pruned_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,
                                       double min_angle, Progress& progress) {
   progress.begin_stage("pruning");
   Pruner pruner(complex, angles);

@@ -75,7 +75,7 @@ TEST(Sheets_3, EndWhereThreeFacesMeet) {
 TEST(Sheets_3, SmallOnesGoAndWhatTheyPartedIsOneAgain) {
   Progress progress;
   Builder builder = plate_with_fins({20, 10});
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress);
+  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
   EXPECT_EQ(result.face_count(), 2u);
   EXPECT_EQ(result.centers.size(), 6u);
   EXPECT_EQ(result.edges.size(), 7u);
@@ -85,15 +85,17 @@ TEST(Sheets_3, SmallOnesGoAndWhatTheyPartedIsOneAgain) {
 TEST(Sheets_3, LargeOnesStay) {
   Progress progress;
   Builder builder = plate_with_fins({20, 40});
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress);
+  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
   EXPECT_EQ(result.face_count(), 3u);
-  EXPECT_EQ(without_small_sheets(builder.complex(), builder.angles, 0, progress).face_count(), 4u);
+  // The plate and the fin of 40 degrees.
+  EXPECT_EQ(without_small_sheets(builder.complex(), builder.angles, 30, progress).faces, (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(without_small_sheets(builder.complex(), builder.angles, 0, progress).complex.face_count(), 4u);
 }
 
 TEST(Sheets_3, AComplexOfOnlySmallSheetsKeepsItsTopology) {
   Progress progress;
   Builder builder = plate_with_fins({20}, 25);
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress);
+  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
   EXPECT_EQ(euler(result), 1);
   EXPECT_FALSE(result.centers.empty());
 }
@@ -106,23 +108,23 @@ TEST(Sheets_3, ASheetThatClosesATunnelOrACavityStays) {
   for (int i = 0; i < 6; ++i) v.push_back(ring.vertex());
   for (int i = 0; i < 3; ++i) ring.face({v[i], v[(i + 1) % 3], v[3 + (i + 1) % 3], v[3 + i]}, 10);
   EXPECT_EQ(euler(ring.complex()), 0);
-  EXPECT_EQ(euler(without_small_sheets(ring.complex(), ring.angles, 30, progress)), 0);
+  EXPECT_EQ(euler(without_small_sheets(ring.complex(), ring.angles, 30, progress).complex), 0);
   // A tetrahedron's surface.
   Builder hull;
   v.clear();
   for (int i = 0; i < 4; ++i) v.push_back(hull.vertex());
   for (int i = 0; i < 4; ++i) hull.face({v[i], v[(i + 1) % 4], v[(i + 2) % 4]}, 10);
-  EXPECT_EQ(without_small_sheets(hull.complex(), hull.angles, 30, progress).face_count(), 4u);
+  EXPECT_EQ(without_small_sheets(hull.complex(), hull.angles, 30, progress).complex.face_count(), 4u);
   // A fin that also carries an edge at its far side cannot go without what hangs on it.
   Builder carrier = plate_with_fins({20});
   carrier.edge(7, carrier.vertex());
-  EXPECT_EQ(without_small_sheets(carrier.complex(), carrier.angles, 30, progress).face_count(), 3u);
+  EXPECT_EQ(without_small_sheets(carrier.complex(), carrier.angles, 30, progress).complex.face_count(), 3u);
   // With both of its far corners held by a handle, it holds a tunnel.
   Builder handle = plate_with_fins({20});
   const int far = handle.vertex();
   handle.edge(6, far);
   handle.edge(7, far);
-  const auto kept = without_small_sheets(handle.complex(), handle.angles, 30, progress);
+  const auto kept = without_small_sheets(handle.complex(), handle.angles, 30, progress).complex;
   EXPECT_EQ(euler(kept), euler(handle.complex()));
   EXPECT_EQ(kept.face_count(), 3u);
 }
