@@ -157,7 +157,7 @@ void add_feature_layers(Registry& registry, bool is_scale_axis) {
                      .c_str(),
                  is_scale_axis ? Color{90, 20, 70} : Color{120, 30, 100},
                  [axis_of](Context& context) { return junction_layer(axis_of(context)); });
-  junctions.style.point_size = 7;
+  junctions.style.point_size = 5;
   registry.add_layer(std::move(junctions));
 }
 

@@ -183,6 +183,7 @@ void register_power_crust_3(Registry& registry) {
           .c_str(),
       {150, 140, 60}, pair_layer);
   pairs.style.line_width = 1;
+  pairs.style.value = "confidence";
   registry.add_layer(std::move(pairs));
   Layer_spec conflicts = make_layer("label-conflicts", "Label conflicts", stage,
                                     "Samples with both poles on one side: the surface is open, noisy, too sparsely "

@@ -168,11 +168,13 @@ void register_union_3(Registry& registry) {
   registry.add_layer(make_layer("regular-triangulation", "Regular triangulation", "Power diagram",
                                 "The dual of the power diagram of the balls. [F. Aurenhammer: Power diagrams, 1987]",
                                 {120, 120, 130}, regular_layer));
-  registry.add_layer(make_layer("power-diagram", "Power diagram", "Power diagram",
+  Layer_spec power = make_layer("power-diagram", "Power diagram", "Power diagram",
                                 "Where two balls are nearest in the power distance, the squared distance of the center "
                                 "less the squared radius: the bounded faces. Their value is 1 where a face meets the "
                                 "union of the balls, 0 where it does not. [F. Aurenhammer: Power diagrams, 1987]",
-                                {150, 160, 200}, power_layer));
+                                {150, 160, 200}, power_layer);
+  power.style.opacity = 0.4;
+  registry.add_layer(std::move(power));
   add_dual_layers(registry);
   registry.add_layer(make_layer(
       "union-vertices", "Vertices of the union", "Union of balls",
