@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "app2d/edits_2.h"
+#include "core/portable_random.h"
 
 namespace mesecina {
 
@@ -15,35 +15,18 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// std's distributions differ between libraries; this does not.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double within(double lower, double upper) { return lower + (upper - lower) * unit(); }
-  /// Normal distribution by Box and Muller.
-  Point_2 normal_pair() {
-    const double radius = std::sqrt(-2 * std::log(1 - unit()));
-    const double angle = turn * unit();
-    return {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 double width_of(const Box& box) { return box.upper.x - box.lower.x; }
 double height_of(const Box& box) { return box.upper.y - box.lower.y; }
 Point_2 center_of(const Box& box) { return {(box.lower.x + box.upper.x) / 2, (box.lower.y + box.upper.y) / 2}; }
 double half_side(const Box& box) { return std::min(width_of(box), height_of(box)) / 2; }
 
-Point_2 random_in(Random& random, const Box& box) {
+Point_2 random_in(Portable_random& random, const Box& box) {
   const double x = random.within(box.lower.x, box.upper.x);
   return {x, random.within(box.lower.y, box.upper.y)};
 }
 
 std::vector<Point_2> uniform(const Generator_order_2& order) {
-  Random random(order.seed);
+  Portable_random random(order.seed);
   std::vector<Point_2> points;
   points.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) points.push_back(random_in(random, order.box));
@@ -78,7 +61,7 @@ Lattice lattice_of(const Generator_order_2& order) {
 
 std::vector<Point_2> lattice_points(const Generator_order_2& order, double jitter) {
   const Lattice lattice = lattice_of(order);
-  Random random(order.seed);
+  Portable_random random(order.seed);
   std::vector<Point_2> points;
   points.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) {
@@ -157,7 +140,7 @@ std::vector<Point_2> noisy_copy(const Generator_order_2& order) {
     if (const auto outline = order.inputs.get(outline_input))
       for (const Ring_2& ring : outline->rings) points.insert(points.end(), ring.begin(), ring.end());
   }
-  Random random(order.seed);
+  Portable_random random(order.seed);
   const double deviation = order.amount * bounding_box(order.inputs).diagonal();
   for (Point_2& p : points) {
     const Point_2 shift = random.normal_pair();
@@ -220,7 +203,7 @@ std::vector<Point_2> duplicates(const Generator_order_2& order) {
 }
 
 std::vector<Disk_2> random_disks(const Generator_order_2& order) {
-  Random random(order.seed);
+  Portable_random random(order.seed);
   std::vector<Disk_2> disks;
   disks.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) {

@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QUuid>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -18,28 +17,9 @@
 
 #include "core/formats/number.h"
 #include "layers/number_field.h"
+#include "shell/popover_fields.h"
 
 namespace mesecina {
-
-namespace {
-
-QSpinBox* make_count(int minimum, int maximum, int value, QWidget* parent, const QString& name) {
-  auto* box = new QSpinBox(parent);
-  box->setRange(minimum, maximum);
-  box->setValue(value);
-  box->setKeyboardTracking(false);
-  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  box->setAccessibleName(name);
-  return box;
-}
-
-/// To so many significant digits.
-double rounded(double value, int digits) { return QString::number(value, 'g', digits).toDouble(); }
-
-/// Makes each popover a step of undo of its own.
-QString new_merge_key(const QString& kind) { return kind + QUuid::createUuid().toString(); }
-
-}  // namespace
 
 Box generator_box(const Inputs& inputs, const Canvas_2& canvas) {
   Box box;
@@ -66,8 +46,8 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   order->count = generator.usual_count;
   const double side = std::min(order->box.upper.x - order->box.lower.x, order->box.upper.y - order->box.lower.y);
   constexpr int digits = 2;
-  order->least_radius = rounded(0.02 * side, digits);
-  order->greatest_radius = rounded(0.08 * side, digits);
+  order->least_radius = rounded_to(0.02 * side, digits);
+  order->greatest_radius = rounded_to(0.08 * side, digits);
   order->relative_radius = 0.6;
   if (generated(generator, *order).is_empty()) {
     Q_EMIT editor.failed(QObject::tr("%1: there is nothing to start from; draw or open an outline or points first.")
@@ -92,8 +72,8 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   if (generator.has_count) {
     constexpr int most_points = 1000000;
     const bool makes_disks = generator.radii != Radii_2::none;
-    auto* count = make_count(1, most_points, int(order->count), popover,
-                             makes_disks ? QObject::tr("Number of disks") : QObject::tr("Number of points"));
+    auto* count = make_count_field(1, most_points, int(order->count), popover,
+                                   makes_disks ? QObject::tr("Number of disks") : QObject::tr("Number of points"));
     QObject::connect(count, &QSpinBox::valueChanged, popover, [order, insert](int value) {
       order->count = static_cast<std::size_t>(value);
       insert();
@@ -132,7 +112,7 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
   }
   if (generator.has_seed) {
     constexpr int most_seeds = 999999;
-    auto* seed = make_count(0, most_seeds, int(order->seed), popover, QObject::tr("Seed"));
+    auto* seed = make_count_field(0, most_seeds, int(order->seed), popover, QObject::tr("Seed"));
     seed->setStepType(QAbstractSpinBox::DefaultStepType);
     seed->setToolTip(QObject::tr("The same seed gives the same again"));
     QObject::connect(seed, &QSpinBox::valueChanged, popover, [order, insert](int value) {
@@ -219,8 +199,8 @@ Popover* open_picture_popover(const QSize& start, QWidget* over,
                               std::function<void(int width, int height, bool)> write) {
   auto* popover = new Popover(QObject::tr("Export picture"), over);
   constexpr int most_pixels = 32000;
-  auto* width = make_count(1, most_pixels, start.width(), popover, QObject::tr("Width of the picture"));
-  auto* height = make_count(1, most_pixels, start.height(), popover, QObject::tr("Height of the picture"));
+  auto* width = make_count_field(1, most_pixels, start.width(), popover, QObject::tr("Width of the picture"));
+  auto* height = make_count_field(1, most_pixels, start.height(), popover, QObject::tr("Height of the picture"));
   for (QSpinBox* box : {width, height}) box->setSuffix(QObject::tr(" px"));
   auto* is_transparent = new QCheckBox(QObject::tr("Transparent background"), popover);
   auto* save = new QPushButton(QObject::tr("Save as…"), popover);
