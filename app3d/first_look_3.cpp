@@ -47,18 +47,30 @@ Layer_list look_of_points(const Registry& registry) {
   return layers;
 }
 
+/// Of these kinds of data, all of which are shown; the first of mesh, balls and points has its whole look.
+Layer_list look_of(const Registry& registry, bool has_mesh, bool has_balls, bool has_points) {
+  Layer_list layers = has_mesh     ? look_of_mesh(registry)
+                      : has_balls  ? look_of_balls(registry)
+                      : has_points ? look_of_points(registry)
+                                   : look_of_mesh(registry);
+  if (has_balls) shown(layers, "given-balls");
+  if (has_points) shown(layers, "points");
+  return layers;
+}
+
 }  // namespace
 
 Layer_list first_look_3(const Registry& registry, const Inputs& inputs) {
-  if (inputs.get(mesh_input)) return look_of_mesh(registry);
-  if (inputs.get(balls_input)) return look_of_balls(registry);
-  if (inputs.get(cloud_input)) return look_of_points(registry);
-  return look_of_mesh(registry);
+  return look_of(registry, inputs.get(mesh_input) != nullptr, inputs.get(balls_input) != nullptr,
+                 inputs.get(cloud_input) != nullptr);
 }
 
 Layer_list look_at_3(const Registry& registry, const Inputs& inputs, const Layer_list& layers) {
-  const bool is_first_look =
-      layers == look_of_mesh(registry) || layers == look_of_balls(registry) || layers == look_of_points(registry);
+  bool is_first_look = false;
+  for (const bool has_mesh : {false, true})
+    for (const bool has_balls : {false, true})
+      for (const bool has_points : {false, true})
+        is_first_look = is_first_look || layers == look_of(registry, has_mesh, has_balls, has_points);
   return is_first_look ? first_look_3(registry, inputs) : layers;
 }
 

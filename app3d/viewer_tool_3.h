@@ -20,6 +20,7 @@ class Viewer_tool_3 {
   virtual bool press(const QMouseEvent& event) = 0;
   /// The mouse moves with the button that the tool took.
   virtual void drag(const QMouseEvent& event) = 0;
+  /// Of any button, also one that the camera had.
   virtual void release(const QMouseEvent& event) = 0;
   /// True: the double click is the tool's, which gets what follows as after a press.
   virtual bool double_click(const QMouseEvent& event) = 0;
