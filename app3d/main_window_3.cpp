@@ -42,10 +42,13 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
   make_menus();
   connect_common();
   restore();
+  restore_camera_habits();
   start(startup, QStringLiteral("scale-axis"));
 }
 
 Main_window_3::~Main_window_3() {
+  player_.reset();
+  plane_.reset();
   hover_.reset();
   take_apart();
   delete files_;
@@ -58,6 +61,11 @@ void Main_window_3::build_canvas() {
     canvas_ = viewer_;
     build_center(canvas_);
     hover_ = std::make_unique<Hover_3>(computation_, *viewer_);
+    plane_ = std::make_unique<Plane_handle_3>(*viewer_);
+    player_ = std::make_unique<Camera_player_3>(*viewer_);
+    viewer_->keep_marks_above(notes_);
+    connect(viewer_, &Viewer_3::view_changed, this, &Main_window_3::show_view_state);
+    connect(player_.get(), &Camera_player_3::changed, this, &Main_window_3::show_view_state);
     connect(viewer_, &Viewer_3::hovered, hover_.get(), &Hover_3::look_at);
     connect(viewer_, &Viewer_3::left, hover_.get(), &Hover_3::forget);
     connect(viewer_, &Viewer_3::view_changed, hover_.get(), &Hover_3::forget);
@@ -92,6 +100,7 @@ void Main_window_3::show_scene() {
     for (Scene_layer& layer : scene.layers) layer.primitives = nullptr;
   }
   viewer_->set_scene(std::move(scene));
+  plane_->set_box(drawn_box(viewer_->scene()));
 }
 
 void Main_window_3::show_hover() {
@@ -121,12 +130,19 @@ QString Main_window_3::unsaved_text() const {
 
 void Main_window_3::files_loaded() { fit(); }
 
-void Main_window_3::fit() {
-  if (!viewer_) return;
-  const Box box = bounding_box(document_.inputs());
+View_3 Main_window_3::first_view() const {
+  constexpr Point_3 direction_with_z_up{0.45, -1, 0.3};
   View_3 view = viewer_->view();
-  view.camera = fit_camera(box, viewer_->width(), viewer_->height());
-  viewer_->set_view(view);
+  const Box box = bounding_box(document_.inputs());
+  const bool is_z_up = viewer_->up().z > 0;
+  view.camera = is_z_up ? fit_camera(box, viewer_->width(), viewer_->height(), direction_with_z_up, viewer_->up(),
+                                     Camera_3::Projection::perspective)
+                        : fit_camera(box, viewer_->width(), viewer_->height());
+  return view;
+}
+
+void Main_window_3::fit() {
+  if (viewer_) viewer_->set_view(first_view());
 }
 
 void Main_window_3::finish_drawing() {

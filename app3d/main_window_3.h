@@ -3,8 +3,10 @@
 
 #include <memory>
 
+#include "app3d/camera_player_3.h"
 #include "app3d/files_3.h"
 #include "app3d/hover_3.h"
+#include "app3d/plane_handle_3.h"
 #include "app3d/viewer_3.h"
 #include "shell/program_window.h"
 
@@ -24,6 +26,10 @@ class Main_window_3 : public Program_window {
   Viewer_3* viewer() { return viewer_; }
   /// Null without OpenGL.
   Hover_3* hover() { return hover_.get(); }
+  /// Null without OpenGL.
+  Plane_handle_3* plane() { return plane_.get(); }
+  /// Null without OpenGL.
+  Camera_player_3* player() { return player_.get(); }
   Files_3& files() { return *files_; }
   void finish_drawing() override;
 
@@ -39,20 +45,40 @@ class Main_window_3 : public Program_window {
   void make_actions();
   void make_file_actions();
   void make_view_actions();
+  void make_standard_views();
+  void make_camera_actions();
+  void make_plane_actions();
+  void make_path_actions();
+  void add_view_menus(QMenu* view) const;
+  void restore_camera_habits();
+  void store_camera_habits();
+  void apply_camera_habits();
+  void show_view_state();
   void make_help_actions();
   void make_menus();
   void show_hover();
+  /// All of the data from the front, a little from the right and above.
+  View_3 first_view() const;
   void fit();
   void escape();
   void export_picture();
   void export_layers();
   void save_view();
   void open_view();
+  /// The view with its key frames, as a view file has it.
+  std::string view_text() const;
+  /// Throws std::invalid_argument.
+  void read_view(const std::string& text);
+  void paste_view();
+  void open_plane_popover();
 
   QWidget* canvas_ = nullptr;
   Viewer_3* viewer_ = nullptr;
   Files_3* files_ = nullptr;
   std::unique_ptr<Hover_3> hover_;
+  std::unique_ptr<Plane_handle_3> plane_;
+  std::unique_ptr<Camera_player_3> player_;
+  Mouse_preset mouse_ = Mouse_preset::standard;
   bool is_view_chosen_ = false;  ///< by the first fit; before, the size of the window is not known
 };
 

@@ -50,6 +50,8 @@ void Viewer_3::set_camera(const Camera_3& seen) {
   qglviewer::Quaternion turned;
   turned.setFromRotatedBasis(to_vec(axes.right), to_vec(axes.up), to_vec(axes.back));
   own.setOrientation(turned);
+  // Which took the upward direction of the picture for that of the scene.
+  own.frame()->setSceneUpVector(to_vec(up_));
   Point_3 position = seen.position;
   if (is_orthographic) {
     // libQGLViewer shows as much without perspective as it would with it, at the pivot.
@@ -195,7 +197,9 @@ void Viewer_3::zoom_about(const Point_3& place, double factor) {
   if (seen.projection == Camera_3::Projection::orthographic) {
     // Along the direction of sight nothing moves.
     const Point_3 across = place - dot(place - seen.target, axes.back) * axes.back;
-    seen.target = across + (1 / factor) * (seen.target - across);
+    const Point_3 shift = (1 - 1 / factor) * (across - seen.target);
+    seen.target = seen.target + shift;
+    seen.position = seen.position + shift;
     seen.height /= factor;
     set_camera(seen);
     camera()->setPivotPoint(to_vec(pivot));
