@@ -2,6 +2,7 @@
 #include "app3d/main_window_3.h"
 
 #include <QLabel>
+#include <QStatusBar>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,13 +35,20 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
           QStringLiteral("mesecina3d"), registry, std::move(formats), first_state(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at_3(*registry, inputs, layers); }) {
   build_canvas();
+  editor_ = new Editor_3(document_, this);
   files_ = new Files_3(document_, formats_, this);
   set_files(files_);
   build_panels();
   build_status_bar();
+  selected_ = new QLabel(this);
+  statusBar()->insertPermanentWidget(1, selected_);
+  readout_ = make_plate(QStringLiteral("readout"));
   make_actions();
   make_menus();
   connect_common();
+  connect_editing();
+  use_tool(QStringLiteral("tool-turn"));
+  show_selection();
   restore();
   restore_camera_habits();
   start(startup, QStringLiteral("scale-axis"));
@@ -50,7 +58,9 @@ Main_window_3::~Main_window_3() {
   player_.reset();
   plane_.reset();
   hover_.reset();
+  if (viewer_) viewer_->set_tool(nullptr);
   take_apart();
+  delete editor_;
   delete files_;
 }
 
@@ -150,12 +160,15 @@ void Main_window_3::finish_drawing() {
 }
 
 void Main_window_3::escape() {
+  if (tool_ && tool_->cancel()) return;
   if (popover_) {
     popover_->dismiss();
   } else if (files_->jobs().is_busy()) {
     files_->jobs().cancel();
   } else if (computation_.is_busy() && computing_->isVisible()) {
     computation_.cancel();
+  } else if (!editor_->selection().is_empty()) {
+    editor_->select({});
   } else {
     messages_->dismiss();
   }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "app3d/camera_player_3.h"
+#include "app3d/editor_3.h"
 #include "app3d/files_3.h"
+#include "app3d/generators_3.h"
 #include "app3d/hover_3.h"
 #include "app3d/plane_handle_3.h"
+#include "app3d/tools_3.h"
 #include "app3d/viewer_3.h"
 #include "shell/program_window.h"
 
@@ -31,6 +35,9 @@ class Main_window_3 : public Program_window {
   /// Null without OpenGL.
   Camera_player_3* player() { return player_.get(); }
   Files_3& files() { return *files_; }
+  Editor_3& editor() { return *editor_; }
+  /// Does nothing without OpenGL.
+  void use_tool(const QString& id);
   void finish_drawing() override;
 
  protected:
@@ -44,6 +51,10 @@ class Main_window_3 : public Program_window {
   void build_canvas();
   void make_actions();
   void make_file_actions();
+  void make_save_actions();
+  void make_edit_actions();
+  void make_tool_actions();
+  void make_insert_actions();
   void make_view_actions();
   void make_standard_views();
   void make_camera_actions();
@@ -56,6 +67,13 @@ class Main_window_3 : public Program_window {
   void show_view_state();
   void make_help_actions();
   void make_menus();
+  void make_editing_menus();
+  void connect_editing();
+  void show_selection();
+  void show_tool(const QPointF& pixel);
+  /// Beside this pixel of the viewer; nothing for an empty text.
+  void show_readout(const QString& text, const QPointF& pixel);
+  void generate(const Generator_3& generator);
   void show_hover();
   /// All of the data from the front, a little from the right and above.
   View_3 first_view() const;
@@ -75,6 +93,11 @@ class Main_window_3 : public Program_window {
   QWidget* canvas_ = nullptr;
   Viewer_3* viewer_ = nullptr;
   Files_3* files_ = nullptr;
+  Editor_3* editor_ = nullptr;
+  QLabel* selected_ = nullptr;
+  QLabel* readout_ = nullptr;
+  std::map<QString, Tool_3*> tools_;  ///< empty without OpenGL
+  Tool_3* tool_ = nullptr;
   std::unique_ptr<Hover_3> hover_;
   std::unique_ptr<Plane_handle_3> plane_;
   std::unique_ptr<Camera_player_3> player_;

@@ -14,9 +14,14 @@ namespace mesecina {
 void Main_window_3::make_actions() {
   begin_actions();
   make_file_actions();
+  make_save_actions();
   make_undo_actions({}, {});
+  make_edit_actions();
   actions_->add(tr("Edit"),
-                {QStringLiteral("escape"), tr("Cancel"), tr("Cancel what is going on"), {QKeySequence(Qt::Key_Escape)}},
+                {QStringLiteral("escape"),
+                 tr("Cancel or deselect"),
+                 tr("Cancel what is going on; if nothing is, select nothing"),
+                 {QKeySequence(Qt::Key_Escape)}},
                 [this] { escape(); });
   actions_->add(tr("Edit"),
                 {QStringLiteral("copy-facts"),
@@ -26,6 +31,8 @@ void Main_window_3::make_actions() {
                 [this] {
                   if (hover_ && !hover_->text().isEmpty()) QApplication::clipboard()->setText(hover_->text());
                 });
+  make_tool_actions();
+  make_insert_actions();
   make_view_actions();
   make_help_actions();
 }
@@ -67,6 +74,11 @@ void Main_window_3::make_help_actions() {
                         Gesture{tr("Click on an axis"), tr("Look along it")},
                         Gesture{tr("Drag the arrow of the cutting plane, Ctrl + wheel"), tr("Move the plane")},
                         Gesture{tr("Drag the frame of the cutting plane"), tr("Turn the plane")},
+                        Gesture{tr("Click, drag on a ball or point (select)"), tr("Select it, move it")},
+                        Gesture{tr("Shift, Ctrl while moving"), tr("Keep to an axis, stay on the surface")},
+                        Gesture{tr("Shift, Ctrl + drag on nothing (select)"), tr("Select in a rectangle, toggle")},
+                        Gesture{tr("Handle of a ball, Shift + wheel"), tr("Resize the selected balls")},
+                        Gesture{tr("Click (add)"), tr("Add a point or a ball there")},
                         Gesture{tr("Rest on something"), tr("See what it is")},
                         Gesture{tr("Drop a file"), tr("Open it; with Ctrl or Shift: add it")}})
                     gestures.push_back(gesture);
@@ -85,11 +97,13 @@ void Main_window_3::make_menus() {
   const auto menu = [this](const QString& title) { return menuBar()->addMenu(title); };
   QMenu* file = menu(tr("&File"));
   file->setToolTipsVisible(true);
-  actions_->add_to(file, {"open", "add-file"});
+  actions_->add_to(file, {"new", "open", "add-file"});
   file->addMenu(recent_files_);
+  actions_->add_to(file, {"-", "save", "save-as"});
+  QMenu* parts = file->addMenu(tr("Save a pa&rt"));
+  actions_->add_to(parts, {"save-mesh", "save-balls", "save-points"});
   actions_->add_to(file, {"-", "export-picture", "export-layers", "-", "save-view", "open-view", "-", "quit"});
-  QMenu* edit = menu(tr("&Edit"));
-  actions_->add_to(edit, {"undo", "redo", "-", "escape", "copy-facts"});
+  make_editing_menus();
   QMenu* view = menu(tr("&View"));
   add_view_menus(view);
   actions_->add_to(view, {"-", "toggle-layers", "solo-layers", "show-all-layers", "find-layer", "-"});

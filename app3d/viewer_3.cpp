@@ -90,7 +90,7 @@ void Viewer_3::set_scene(Scene scene) {
   scene_ = std::move(scene);
   ids_view_.reset();
   const Box box = drawn_box(scene_);
-  if (!box.is_empty()) setSceneBoundingBox(to_vec(box.lower), to_vec(box.upper));
+  if (box.diagonal() > 0) setSceneBoundingBox(to_vec(box.lower), to_vec(box.upper));
   QOpenGLWidget::update();
 }
 
