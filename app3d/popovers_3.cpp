@@ -218,6 +218,7 @@ Popover* open_transform_popover_3(Editor_3& editor, QWidget* over) {
           apply();
         });
     turn->set_suffix(QStringLiteral("°"));
+    turn->show_value(0);
     constexpr double step = 5;
     turn->set_step(step);
     turns.push_back(turn);
@@ -250,6 +251,13 @@ Popover* open_transform_popover_3(Editor_3& editor, QWidget* over) {
     transform->pivot = index == 0 ? middle : Point_3{};
     apply();
   });
+  std::vector<QWidget*> headings;
+  for (const char* axis : axis_names) {
+    auto* heading = new QLabel(QLatin1String(axis), popover);
+    heading->setAlignment(Qt::AlignCenter);
+    headings.push_back(heading);
+  }
+  add_row(*popover, {}, headings);
   add_row(*popover, text("Move"), {shifts.begin(), shifts.end()});
   add_row(*popover, text("Turn"), turns);
   popover->form()->addRow(text("Scale"), scale);
