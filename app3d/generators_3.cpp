@@ -46,6 +46,7 @@ Point_3 on_torus(double along, double around) {
 Inputs points_in_cube(const Generator_order_3& order) {
   Portable_random random(order.seed);
   std::vector<Point_3> points;
+  points.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) points.push_back(in_cube(random));
   return points_of(order, std::move(points));
 }
@@ -53,6 +54,7 @@ Inputs points_in_cube(const Generator_order_3& order) {
 Inputs points_on_sphere(const Generator_order_3& order) {
   Portable_random random(order.seed);
   std::vector<Point_3> points;
+  points.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) {
     const double height = random.within(-1, 1);
     const double angle = random.within(0, turn);
@@ -90,6 +92,7 @@ std::pair<std::vector<Point_3>, double> lattice(const Generator_order_3& order) 
   const auto first = [&](double middle) { return std::round((middle - step * (double(side) - 1) / 2) / step) * step; };
   const Point_3 corner{first(order.center.x), first(order.center.y), first(order.center.z)};
   std::vector<Point_3> points;
+  points.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i)
     points.push_back(corner + step * Point_3{double(i % side), double(i / side % side), double(i / side / side)});
   return {std::move(points), step};
@@ -99,6 +102,7 @@ Inputs grid(const Generator_order_3& order) { return Inputs().with(cloud_input, 
 
 Inputs balls_of(const std::vector<Point_3>& centers, double radius) {
   std::vector<Ball_3> balls;
+  balls.reserve(centers.size());
   for (const Point_3& center : centers) balls.push_back({center, radius});
   return Inputs().with(balls_input, std::move(balls));
 }
@@ -106,6 +110,7 @@ Inputs balls_of(const std::vector<Point_3>& centers, double radius) {
 Inputs random_balls(const Generator_order_3& order) {
   Portable_random random(order.seed);
   std::vector<Ball_3> balls;
+  balls.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) {
     const Point_3 center = placed(order, in_cube(random));
     balls.push_back({center, random.within(order.least_radius, order.greatest_radius)});
@@ -123,6 +128,7 @@ Inputs grid_of_balls(const Generator_order_3& order) {
 
 Inputs ring_of_balls(const Generator_order_3& order) {
   std::vector<Point_3> centers;
+  centers.reserve(order.count);
   for (std::size_t i = 0; i < order.count; ++i) {
     const double angle = turn * double(i) / double(order.count);
     centers.push_back(placed(order, {std::cos(angle), std::sin(angle), 0}));
