@@ -8,6 +8,8 @@
 #include <QScrollArea>
 #include <QShortcut>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 namespace mesecina {
 
@@ -25,6 +27,35 @@ QString heading(const QString& text) {
 QString plain(QString text) {
   text.remove(QLatin1Char('&'));
   return text;
+}
+
+struct Group {
+  QString name;
+  QStringList rows;
+};
+
+/// The group of that name; a new last one if there is none.
+Group& group_of(const QString& name, std::vector<Group>& groups) {
+  const auto it = std::ranges::find(groups, name, &Group::name);
+  if (it != groups.end()) return *it;
+  groups.push_back({name, {}});
+  return groups.back();
+}
+
+/// Groups below each other, in columns of at most so many rows where no group has more.
+QStringList columns_of(const std::vector<Group>& groups, int most_rows) {
+  QStringList columns;
+  int used = most_rows;
+  for (const Group& group : groups) {
+    const int needed = static_cast<int>(group.rows.size()) + 1;
+    if (used + needed > most_rows) {
+      columns << QString();
+      used = 0;
+    }
+    columns.last() += heading(group.name) + group.rows.join(QString());
+    used += needed;
+  }
+  return columns;
 }
 
 QDialog* make_sheet(const QString& title, QWidget* parent) {
@@ -46,30 +77,23 @@ QLabel* column_of(const QString& rows) {
 
 QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gestures, QWidget* parent) {
   QDialog* sheet = make_sheet(QObject::tr("Keys and mouse"), parent);
-  QStringList columns{heading(QObject::tr("Mouse"))};
-  for (const auto& [keys, text] : gestures) columns.last() += row(keys, text);
-  QString group;
-  std::size_t rows = gestures.size();
-  constexpr std::size_t most_rows = 17;
+  std::vector<Group> groups;
+  Group& mouse = group_of(QObject::tr("Mouse"), groups);
+  for (const auto& [keys, text] : gestures) mouse.rows << row(keys, text);
   for (const Actions::Entry& entry : actions.entries()) {
     if (entry.action->shortcuts().isEmpty()) continue;
-    if (entry.group != group) {
-      if (rows > most_rows) {
-        columns << QString();
-        rows = 0;
-      }
-      columns.last() += heading(entry.group);
-      group = entry.group;
-      ++rows;
-    }
-    columns.last() += row(QKeySequence::listToString(entry.action->shortcuts(), QKeySequence::NativeText)
-                              .replace(QStringLiteral("; "), QStringLiteral(", ")),
-                          plain(entry.action->text()));
-    ++rows;
+    const QString keys = QKeySequence::listToString(entry.action->shortcuts(), QKeySequence::NativeText)
+                             .replace(QStringLiteral("; "), QStringLiteral(", "));
+    group_of(entry.group, groups).rows << row(keys, plain(entry.action->text()));
   }
+  const int em = sheet->fontMetrics().height();
+  constexpr int least_rows = 20;
+  constexpr int frame = 6;  // of the window, in rows
+  const QStringList columns =
+      columns_of(groups, std::max(least_rows, (parent ? parent->height() : 0) / (em + 1) - frame));
   auto* content = new QWidget;
   auto* columns_row = new QHBoxLayout(content);
-  columns_row->setSpacing(sheet->fontMetrics().height() * 2);
+  columns_row->setSpacing(em * 2);
   for (const QString& column : columns) columns_row->addWidget(column_of(column), 0, Qt::AlignTop);
   auto* area = new QScrollArea(sheet);
   area->setWidget(content);
@@ -77,7 +101,6 @@ QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gest
   area->setWidgetResizable(true);
   auto* layout = new QVBoxLayout(sheet);
   layout->addWidget(area);
-  const int em = sheet->fontMetrics().height();
   const QSize wanted = content->sizeHint() + QSize(em * 3, em * 3);
   sheet->resize(parent ? wanted.boundedTo(parent->size()) : wanted);
   sheet->show();
@@ -94,7 +117,7 @@ QWidget* make_about(const QString& program, const QStringList& details, QWidget*
                   "<p>An explorer of geometric structures: Voronoi diagrams, crusts, medial axes<br>"
                   "and their filtrations, which follow the points under your mouse.</p>"
                   "<p>Free software under the GNU General Public License, version 3 or later.<br>"
-                  "Built on CGAL, Qt, Eigen, TBB, GLM and nlohmann-json.</p>") +
+                  "Built on CGAL, Qt, libQGLViewer, TBB, GLM and nlohmann-json.</p>") +
       QStringLiteral("<p>%1</p>")
           .arg(details.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"))));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, about);
