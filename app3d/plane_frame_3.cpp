@@ -77,15 +77,6 @@ std::shared_ptr<const Primitive_set> outline_of(const Plane_frame_3& frame) {
   return set;
 }
 
-std::shared_ptr<const Primitive_set> arrow_of(const Plane_frame_3& frame) {
-  auto set = std::make_shared<Primitive_set>();
-  set->dimension = 3;
-  set->vertices = {frame.center, frame.tip()};
-  set->segments.push_back({0, 1});
-  set->points.push_back(1);
-  return set;
-}
-
 Cutting_plane_3 plane_facing(const Point_3& direction, const Box& box) {
   const Point_3 size = {std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)};
   Point_3 normal{0, 0, direction.z < 0 ? -1.0 : 1.0};

@@ -33,8 +33,6 @@ Plane_frame_3 frame_of(const Cutting_plane_3& plane, const Box& box);
 
 /// Outlines of the rectangle, or of both where the plane has a thickness.
 std::shared_ptr<const Primitive_set> outline_of(const Plane_frame_3& frame);
-/// The arrow, with a point at its tip.
-std::shared_ptr<const Primitive_set> arrow_of(const Plane_frame_3& frame);
 
 /// A plane through the middle of the box along two axes of coordinates, the one most across this direction, that takes
 /// away what lies towards it.

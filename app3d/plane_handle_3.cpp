@@ -2,6 +2,7 @@
 #include "app3d/plane_handle_3.h"
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,6 @@ void Plane_handle_3::follow() {
   if (plane == shown_ && (!plane || outline_)) return;
   shown_ = plane;
   outline_ = plane ? outline_of(*frame()) : nullptr;
-  arrow_ = plane ? arrow_of(*frame()) : nullptr;
 }
 
 Plane_handle_3::Part Plane_handle_3::part_at(const QPointF& pixel) const {
@@ -165,18 +165,50 @@ bool Plane_handle_3::wheel(const QWheelEvent& event) {
 
 std::vector<Scene_layer> Plane_handle_3::overlay() const {
   if (!viewer_.view().cutting_plane || !outline_) return {};
-  const Color color = visible_on(viewer_.scene().background, {130, 50, 190});
-  const auto shown = [&](const char* id, const std::shared_ptr<const Primitive_set>& set, Part part) {
-    Style style;
-    style.visible = true;
-    style.sliced = false;
-    style.color = color;
-    const bool is_hovered = hovered_ == part;
-    style.line_width = is_hovered ? 3 : 1.5;
-    style.point_size = is_hovered ? 15 : 12;
-    return Scene_layer{id, {}, set, {}, style};
-  };
-  return {shown("cutting-plane", outline_, Part::frame), shown("cutting-plane-arrow", arrow_, Part::arrow)};
+  Style style;
+  style.visible = true;
+  style.sliced = false;
+  style.color = color();
+  constexpr double wide = 2.5;
+  constexpr double wider = 4;
+  style.line_width = hovered_ == Part::frame ? wider : wide;
+  return {Scene_layer{"cutting-plane", {}, outline_, {}, style}};
+}
+
+Color Plane_handle_3::color() const {
+  constexpr Color violet{150, 60, 215};
+  return visible_on(viewer_.scene().background, violet);
+}
+
+/// The arrow stays in sight and in reach whatever hides it.
+void Plane_handle_3::paint(QPainter& painter) const {
+  const auto here = frame();
+  if (!here) return;
+  const Sight_3 seen = sight();
+  const auto from = seen.pixel(here->center);
+  const auto to = seen.pixel(here->tip());
+  if (!from || !to) return;
+  const QPointF center(from->x, from->y);
+  const QPointF tip(to->x, to->y);
+  const Color ink = color();
+  const Color& ground = viewer_.scene().background;
+  const bool is_hovered = hovered_ == Part::arrow;
+  constexpr double rim = 2;
+  const double wide = is_hovered ? 4 : 2.5;
+  const double knob = is_hovered ? 8 : 6.5;
+  const double foot = 3;
+  painter.save();
+  const QColor light(ground.red, ground.green, ground.blue);
+  const QColor dark(ink.red, ink.green, ink.blue);
+  for (const auto& [brush, more] : {std::pair{light, rim}, std::pair{dark, 0.0}}) {
+    painter.setPen(QPen(brush, wide + more, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(center, tip);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(brush);
+    painter.drawEllipse(tip, knob + more / 2, knob + more / 2);
+    painter.drawEllipse(center, foot + more / 2, foot + more / 2);
+  }
+  painter.restore();
 }
 
 }  // namespace mesecina

@@ -48,10 +48,11 @@ class Plane_handle_3 : public QObject, public Viewer_tool_3 {
   bool double_click(const QMouseEvent& event) override;
   bool wheel(const QWheelEvent& event) override;
   std::vector<Scene_layer> overlay() const override;
-  void paint(QPainter&) const override {}
+  void paint(QPainter& painter) const override;
 
  private:
   Sight_3 sight() const;
+  Color color() const;
   void follow();
   void look_at(const QPointF& pixel);
   /// The plane that was there last if it cuts the box, or one through its middle that faces the viewer.
@@ -63,9 +64,8 @@ class Plane_handle_3 : public QObject, public Viewer_tool_3 {
   Part dragged_ = Part::none;
   Part hovered_ = Part::none;
   QPointF before_;
-  std::optional<Cutting_plane_3> shown_;  ///< of which outline and arrow are
+  std::optional<Cutting_plane_3> shown_;  ///< of which the outline is
   std::shared_ptr<const Primitive_set> outline_;
-  std::shared_ptr<const Primitive_set> arrow_;
 };
 
 }  // namespace mesecina
