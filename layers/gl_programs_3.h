@@ -18,11 +18,15 @@ inline constexpr int solid_depth = 7;
 inline constexpr int nearer_depth = 8;
 }  // namespace units_3
 
-/// One program for each kind of element, all painting colours or all painting numbers.
+/// One program for each kind of element, all painting the same.
 struct Gl_programs_3 {
-  enum class Paint { colors, ids };
-  /// Throws std::runtime_error with the compiler's message.
-  explicit Gl_programs_3(Paint paint);
+  enum class Paint {
+    colors,
+    peeled_colors,  ///< only of what lies before the solid things and behind the nearer picture
+    ids
+  };
+  /// Without planes nothing is cut. Throws std::runtime_error with the compiler's message.
+  Gl_programs_3(Paint paint, bool has_planes);
 
   Paint paint;
   Gl_program points;

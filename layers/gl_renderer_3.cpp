@@ -63,6 +63,16 @@ void bind_texture(int unit, unsigned texture) {
   glActiveTexture(GL_TEXTURE0);
 }
 
+/// The smaller frame whose pixels are enlarged to those of this one; the frame itself where none are.
+Frame_3 coarse(const Frame_3& frame) {
+  if (frame.coarseness <= 1 || frame.samples > 1 || frame.tile) return frame;
+  Frame_3 result = frame;
+  result.width = (frame.width + frame.coarseness - 1) / frame.coarseness;
+  result.height = (frame.height + frame.coarseness - 1) / frame.coarseness;
+  result.pixel_ratio = frame.pixel_ratio / frame.coarseness;
+  return result;
+}
+
 /// Makes the target anew where there is none of this size.
 void fit(std::optional<Gl_deep_target>& target, int width, int height, Gl_deep_target::Format format) {
   if (!target || target->width() != width || target->height() != height) target.emplace(width, height, format);
@@ -71,8 +81,8 @@ void fit(std::optional<Gl_deep_target>& target, int width, int height, Gl_deep_t
 }  // namespace
 
 struct Gl_renderer_3::State {
-  Gl_programs_3 colors{Gl_programs_3::Paint::colors};
-  std::optional<Gl_programs_3> numbers;  ///< made when ids are first asked for
+  /// Made when first used; of each two by whether there are planes.
+  std::map<std::pair<Gl_programs_3::Paint, bool>, Gl_programs_3> programs;
   Gl_program compose{{shaders::whole_vert}, {shaders::compose_3_frag}};
   Gl_program under{{shaders::whole_vert}, {shaders::under_frag}};
   unsigned vertex_array = 0;
@@ -112,7 +122,6 @@ struct Gl_renderer_3::State {
   /// How the layers are painted this time.
   struct Pass {
     Gl_programs_3* programs = nullptr;
-    bool is_peeling = false;
     bool has_nearer = false;
   };
   /// A layer on its way.
@@ -125,6 +134,7 @@ struct Gl_renderer_3::State {
   };
 
   Gl_primitives_3& primitives_of(const std::shared_ptr<const Primitive_set>& set);
+  Gl_programs_3& programs_for(Gl_programs_3::Paint paint, const Planes& planes);
   void forget_expired();
   void begin();
   static void end();
@@ -151,6 +161,13 @@ Gl_primitives_3& Gl_renderer_3::State::primitives_of(const std::shared_ptr<const
     primitives.erase(known);
   }
   return primitives.emplace(set.get(), Gl_primitives_3(set)).first->second;
+}
+
+Gl_programs_3& Gl_renderer_3::State::programs_for(Gl_programs_3::Paint paint, const Planes& planes) {
+  const std::pair kind(paint, !planes.empty());
+  const auto known = programs.find(kind);
+  return known != programs.end() ? known->second
+                                 : programs.emplace(kind, Gl_programs_3(kind.first, kind.second)).first->second;
 }
 
 void Gl_renderer_3::State::forget_expired() {
@@ -231,7 +248,6 @@ void Gl_renderer_3::State::set_surface(Gl_program& program, const Picture& pictu
   program.set("picture_size", std::array{static_cast<float>(picture.width), static_cast<float>(picture.height)});
   program.set("layer_lift", static_cast<float>(item.lift));
   program.set("number_of_layer", item.number);
-  program.set("peeling", pass.is_peeling);
   program.set("has_nearer", pass.has_nearer);
   const bool is_sliced = item.layer->style.sliced;
   program.set("plane_count", is_sliced ? static_cast<int>(planes.size()) : 0);
@@ -322,7 +338,7 @@ void Gl_renderer_3::State::draw_caps(const Picture& picture, const Pass& pass, c
     glStencilFunc(GL_ALWAYS, 0, ~0U);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-    draw_faces(picture, {pass.programs, false, false}, item, {plane});
+    draw_faces(picture, {pass.programs, false}, item, {plane});
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -396,7 +412,7 @@ bool Gl_renderer_3::State::peel(const Picture& picture, int most) {
     bind_texture(units_3::solid_depth, solid->depth());
     bind_texture(units_3::nearer_depth, i > 0 ? nearer->depth() : 0);
     glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-    draw_layers(picture, {&colors, true, i > 0}, true);
+    draw_layers(picture, {&programs_for(Gl_programs_3::Paint::peeled_colors, picture.planes), i > 0}, true);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     unsigned is_any = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &is_any);
@@ -429,6 +445,7 @@ Gl_renderer_3::Gl_renderer_3() {
                              ", 3.3 is needed");
   }
   state_ = std::make_unique<State>();
+  state_->programs_for(Gl_programs_3::Paint::colors, {});
 }
 
 Gl_renderer_3::~Gl_renderer_3() = default;
@@ -442,14 +459,15 @@ void Gl_renderer_3::draw(const Scene& scene, std::span<const Scene_layer> overla
   glGetIntegerv(GL_VIEWPORT, viewport.data());
   s.forget_expired();
   s.begin();
-  const State::Picture picture = s.picture_of(scene, overlay, view, frame);
+  const Frame_3 painted = coarse(frame);
+  const State::Picture picture = s.picture_of(scene, overlay, view, painted);
   fit(s.solid, picture.width, picture.height, Gl_deep_target::Format::color);
   s.solid->bind();
   const float alpha = scene.transparent_background ? 0 : 1;
   const Color& ground = scene.background;
   glClearColor(alpha * ground.red / 255.0F, alpha * ground.green / 255.0F, alpha * ground.blue / 255.0F, alpha);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  s.draw_layers(picture, {&s.colors, false, false}, false);
+  s.draw_layers(picture, {&s.programs_for(Gl_programs_3::Paint::colors, picture.planes), false}, false);
   const bool has_translucent = s.peel(picture, frame.most_translucent_layers);
 
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(shown));
@@ -465,6 +483,7 @@ void Gl_renderer_3::draw(const Scene& scene, std::span<const Scene_layer> overla
   s.compose.set("translucent", 2);
   s.compose.set("has_translucent", has_translucent);
   s.compose.set("samples", frame.samples);
+  s.compose.set("coarseness", painted.width == frame.width ? 1 : frame.coarseness);
   s.compose.set("corner", std::array{static_cast<float>(viewport[0]), static_cast<float>(viewport[1])});
   s.compose.set("outlines", static_cast<float>(frame.outlines));
   s.compose.set("perspective", picture.projection.is_perspective());
@@ -483,7 +502,6 @@ Id_picture Gl_renderer_3::ids(const Scene& scene, const View_3& view, const Fram
   glGetIntegerv(GL_VIEWPORT, viewport.data());
   s.forget_expired();
   s.begin();
-  if (!s.numbers) s.numbers.emplace(Gl_programs_3::Paint::ids);
   Frame_3 whole = frame;
   whole.samples = 1;
   whole.tile.reset();
@@ -493,7 +511,7 @@ Id_picture Gl_renderer_3::ids(const Scene& scene, const View_3& view, const Fram
   constexpr std::array<unsigned, 4> nothing{};
   glClearBufferuiv(GL_COLOR, 0, nothing.data());
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  s.draw_layers(picture, {&*s.numbers, false, false}, false);
+  s.draw_layers(picture, {&s.programs_for(Gl_programs_3::Paint::ids, picture.planes), false}, false);
   const std::size_t pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
   std::vector<std::uint32_t> ids(2 * pixels);
   std::vector<float> depths(pixels);

@@ -21,9 +21,10 @@ struct Tile {
 struct Frame_3 {
   int width = 0;  ///< of the whole picture, in device pixels
   int height = 0;
-  double pixel_ratio = 1;           ///< device pixels per logical pixel
-  int samples = 1;                  ///< along each side of a pixel: 2 makes smooth edges and costs four times as much
-  double outlines = 0.6;            ///< dark lines where one thing ends before another: 0 none, 1 black
+  double pixel_ratio = 1;  ///< device pixels per logical pixel
+  int samples = 1;         ///< along each side of a pixel: 2 makes smooth edges and costs four times as much
+  int coarseness = 1;      ///< pixels along each side painted as one, once; of no effect on smooth edges, tiles and ids
+  double outlines = 0.6;   ///< dark lines where one thing ends before another: 0 none, 1 black
   int most_translucent_layers = 8;  ///< surfaces behind one another, from the nearest
   std::optional<Tile> tile = {};    ///< only this part of the picture; absent: all of it
 

@@ -6,14 +6,17 @@ uniform float pixel_size;
 uniform float nearest;
 uniform float layer_lift;
 uniform float depth_span;  // between the planes near and far
+uniform vec2 picture_size;
 
 flat in vec3 center;
 flat in float radius;
-in vec3 eye_place;
 
 void main() {
-  vec3 from = perspective ? vec3(0) : vec3(eye_place.xy, 0);
-  vec3 along = perspective ? normalize(eye_place) : vec3(0, 0, -1);
+  // From the pixel alone, so that a ball has the same depth there in all passes, whatever rectangle it is found in.
+  vec2 place_in_picture = 2.0 * gl_FragCoord.xy / picture_size - 1.0;
+  vec2 scales = vec2(projection[0][0], projection[1][1]);
+  vec3 from = perspective ? vec3(0) : vec3((place_in_picture - projection[3].xy) / scales, 0);
+  vec3 along = perspective ? normalize(vec3((place_in_picture + projection[2].xy) / scales, -1)) : vec3(0, 0, -1);
   vec3 to_center = center - from;
   float middle = dot(to_center, along);
   vec3 off = to_center - middle * along;

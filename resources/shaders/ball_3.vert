@@ -4,7 +4,6 @@ uniform int first_element;
 
 flat out vec3 center;
 flat out float radius;
-out vec3 eye_place;
 
 void main() {
   int number_of_ball = gl_VertexID / 6;
@@ -14,7 +13,7 @@ void main() {
   element_color = color_of(element);
   center = (to_eye * vec4(ball.xyz, 1)).xyz;
   radius = ball.w;
-  eye_place = center;
+  vec3 eye_place;
   gl_Position = nowhere;
   if (!is_drawn(element)) return;
   vec2 side = vec2(corner == 1 || corner == 2 || corner == 4 ? 1 : -1, corner == 2 || corner == 4 || corner == 5 ? 1 : -1);
@@ -25,8 +24,6 @@ void main() {
     float away = length(center);
     if (away <= radius * slack) {
       // From within, the whole picture.
-      eye_place = vec3(side / vec2(projection[0][0], projection[1][1]) +
-                       vec2(projection[2][0] / projection[0][0], projection[2][1] / projection[1][1]), -1);
       gl_Position = vec4(side, 0, 1);
       return;
     }

@@ -7,7 +7,8 @@ uniform sampler2D solid;
 uniform sampler2D solid_depth;
 uniform sampler2D translucent;
 uniform bool has_translucent;
-uniform int samples;  // along each side of a pixel
+uniform int samples;     // along each side of a pixel
+uniform int coarseness;  // pixels along each side that show one sample
 uniform vec2 corner;  // of the picture on the target
 uniform float outlines;  // 0: none, 1: black
 uniform bool perspective;
@@ -38,7 +39,7 @@ float edge(ivec2 sample_place) {
 }
 
 void main() {
-  ivec2 first = ivec2(gl_FragCoord.xy - corner) * samples;
+  ivec2 first = ivec2(gl_FragCoord.xy - corner) / coarseness * samples;
   vec4 sum = vec4(0);
   for (int y = 0; y < samples; ++y) {
     for (int x = 0; x < samples; ++x) {

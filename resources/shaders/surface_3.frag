@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all elements in space share: the cutting plane, light, and how a pixel is painted. Precedes the shader of each
-// kind. With IDS defined, numbers are painted in place of colours.
+// kind. With IDS defined, numbers are painted in place of colours; with PEELING, only what lies before the solid things and
+// behind the nearer picture; without PLANES nothing is cut. These are definitions since where there is no graphics card
+// both branches of every condition are executed.
 
 uniform bool perspective;
+#ifdef PLANES
 uniform int plane_count;
+#else
+const int plane_count = 0;
+#endif
 uniform vec4 planes[2];  // in eye coordinates; what is left is where they are not negative
 
 flat in vec4 element_color;
@@ -27,10 +33,11 @@ void paint(vec4 paint_color, float depth) { painted = uvec2(number_of_layer, ele
 
 #else
 
-uniform bool peeling;     // only what lies before the solid things and behind the nearer picture
+#ifdef PEELING
 uniform bool has_nearer;
 uniform sampler2D solid_depth;
 uniform sampler2D nearer_depth;
+#endif
 
 layout(location = 0) out vec4 painted;
 
@@ -44,16 +51,20 @@ vec3 lit(vec3 base, vec3 normal, vec3 place) {
   if (dot(facing, to_viewer) < 0.0) facing = -facing;
   float sky = 0.5 + 0.5 * facing.y;
   float bright = 0.36 + 0.08 * sky + 0.60 * max(dot(facing, main_light), 0.0) + 0.16 * max(dot(facing, second_light), 0.0);
-  float gloss = pow(max(dot(facing, normalize(main_light + to_viewer)), 0.0), 48.0);
-  return base * bright + 0.10 * gloss;
+  float mirrored = max(dot(facing, normalize(main_light + to_viewer)), 0.0);
+  float power_3 = mirrored * mirrored * mirrored;
+  float power_6 = power_3 * power_3;
+  float power_12 = power_6 * power_6;
+  float power_24 = power_12 * power_12;
+  return base * bright + 0.10 * power_24 * power_24;
 }
 
 void paint(vec4 paint_color, float depth) {
-  if (peeling) {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    if (depth >= texelFetch(solid_depth, pixel, 0).r) discard;
-    if (has_nearer && depth <= texelFetch(nearer_depth, pixel, 0).r) discard;
-  }
+#ifdef PEELING
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (depth >= texelFetch(solid_depth, pixel, 0).r) discard;
+  if (has_nearer && depth <= texelFetch(nearer_depth, pixel, 0).r) discard;
+#endif
   painted = vec4(paint_color.rgb * paint_color.a, paint_color.a);
 }
 

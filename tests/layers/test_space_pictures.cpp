@@ -274,6 +274,30 @@ TEST_F(Space_pictures, TilesTogetherAreThePicture) {
   EXPECT_LT(different, 20);
 }
 
+TEST_F(Space_pictures, CoarsePicturesShowTheSameInSquares) {
+  Scene scene = scene_of(square_layer(0.2, 1.17, {200, 60, 20}, 1));
+  scene.layers.push_back(square_layer(0.6, 0.83, {20, 60, 200}, 0.5));
+  const Pixels fine = picture(scene);
+  for (const int coarseness : {2, 4, 8}) {
+    Frame_3 frame = plain_frame(side, side);
+    frame.coarseness = coarseness;
+    const Pixels coarse = paint(scene, view_along_z(orthographic), frame);
+    EXPECT_EQ(middle_of(coarse), middle_of(fine));
+    int different = 0;
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        different += coarse.at(column, row) != fine.at(column, row);
+        // Rows of OpenGL start below.
+        const int row_of_square = side - 1 - (side - 1 - row) / coarseness * coarseness;
+        ASSERT_EQ(coarse.at(column, row), coarse.at(column / coarseness * coarseness, row_of_square));
+      }
+    }
+    // Only at the outlines of the two squares.
+    EXPECT_GT(different, 0);
+    EXPECT_LT(different, 2 * 4 * side * coarseness);
+  }
+}
+
 TEST_F(Space_pictures, TheBackgroundMayBeTransparent) {
   Scene scene = scene_of(square_layer(0, 1, {200, 40, 40}, 0.5));
   scene.transparent_background = true;
