@@ -175,6 +175,7 @@ void Main_window_3::use_tool(const QString& id) {
   tool_ = tools_.at(id);
   viewer_->set_tool(tool_);
   (*actions_)[id]->setChecked(true);
+  hint_->setText((*actions_)[id]->statusTip());
   viewer_->setCursor(Qt::ArrowCursor);
   viewer_->setFocus();
 }

@@ -7,10 +7,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -19,6 +21,7 @@
 #include <vector>
 
 #include "app3d/files_3.h"
+#include "core/formats/number.h"
 #include "layers/number_field.h"
 #include "shell/popover_fields.h"
 
@@ -144,41 +147,49 @@ std::optional<Selected_one> first_selected(const Editor_3& editor) {
 }  // namespace
 
 Popover* open_coordinates_popover_3(Editor_3& editor, QWidget* over) {
-  const auto first = first_selected(editor);
-  if (!first) return nullptr;
+  if (!first_selected(editor)) return nullptr;
   auto* popover = new Popover(text("Exact coordinates"), over);
-  const QString key = new_merge_key(QStringLiteral("coordinates"));
-  const auto change = [&editor, key](const std::function<void(Ball_3&)>& set) {
+  // Lines of text show every digit.
+  std::array<QLineEdit*, 4> lines{};
+  const std::array<QString, 4> names{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z"), text("radius")};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i] = new QLineEdit(popover);
+    lines[i]->setAccessibleName(names[i]);
+    popover->form()->addRow(names[i], lines[i]);
+  }
+  const auto number = [](Ball_3& ball, std::size_t i) -> double& {
+    return i < coordinates.size() ? ball.center.*coordinates[i] : ball.radius;
+  };
+  const auto show = [&editor, popover, lines, number] {
+    auto one = first_selected(editor);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      lines[i]->setEnabled(one.has_value());
+      if (one) lines[i]->setText(QString::fromStdString(format_number(number(one->value, i))));
+    }
+    popover->form()->setRowVisible(lines.back(), one && one->is_ball);
+  };
+  const auto take = [&editor, lines, number, show, key = new_merge_key(QStringLiteral("coordinates"))](std::size_t i) {
     auto one = first_selected(editor);
     if (!one) return;
-    set(one->value);
+    const std::string written = lines[i]->text().trimmed().toStdString();
+    const auto typed = parse_number(written);
+    const bool is_radius = i == coordinates.size();
+    if (!typed || !std::isfinite(*typed) || (is_radius && *typed < 0)) {
+      const QString expected = is_radius ? text("a radius of at least 0") : text("a number such as 1.5");
+      Q_EMIT editor.failed(text("Expected %1, found \"%2\".").arg(expected, lines[i]->text()));
+      show();
+      return;
+    }
+    number(one->value, i) = *typed;
     if (one->is_ball) {
       editor.change_ball(one->index, one->value, key);
     } else {
       editor.change_point(one->index, one->value.center, key);
     }
   };
-  std::vector<Number_field*> fields;
-  for (std::size_t i = 0; i < coordinates.size(); ++i) {
-    fields.push_back(make_number(
-        popover, QLatin1String(axis_names[i]), first->value.center.*coordinates[i],
-        [change, i](double number) { change([&](Ball_3& ball) { ball.center.*coordinates[i] = number; }); }));
-    popover->form()->addRow(QLatin1String(axis_names[i]), fields.back());
-  }
-  Number_field* radius = make_number(popover, text("Radius"), first->value.radius,
-                                     [change](double number) { change([&](Ball_3& ball) { ball.radius = number; }); });
-  radius->set_bounds(0, std::numeric_limits<double>::max());
-  popover->form()->addRow(text("radius"), radius);
-  const auto show = [&editor, popover, fields, radius] {
-    const auto one = first_selected(editor);
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      fields[i]->setEnabled(one.has_value());
-      if (one) fields[i]->show_value(one->value.center.*coordinates[i]);
-    }
-    popover->form()->setRowVisible(radius, one && one->is_ball);
-    if (one) radius->show_value(one->value.radius);
-  };
   show();
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    QObject::connect(lines[i], &QLineEdit::editingFinished, popover, [take, i] { take(i); });
   QObject::connect(&editor.document(), &Document::changed, popover, show);
   QObject::connect(&editor, &Editor_3::selection_changed, popover, show);
   popover->open();

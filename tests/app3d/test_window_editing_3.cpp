@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <array>
 
@@ -246,9 +247,24 @@ TEST_F(Window_editing_3, ExactCoordinatesAreTyped) {
   click(pixel({1, 0, 0}));
   use("coordinates");
   ASSERT_NE(window_->popover(), nullptr);
-  type(*field(*window_->popover(), "z"), "0.1");
-  type(*field(*window_->popover(), "Radius"), "0.3");
+  const auto line = [&](const char* name) {
+    for (auto* candidate : window_->popover()->findChildren<QLineEdit*>())
+      if (candidate->accessibleName() == QLatin1String(name)) return candidate;
+    return static_cast<QLineEdit*>(nullptr);
+  };
+  const auto type_line = [&](const char* name, const char* text) {
+    line(name)->setFocus();
+    line(name)->selectAll();
+    QTest::keyClicks(line(name), QLatin1String(text));
+    QTest::keyClick(line(name), Qt::Key_Return);
+  };
+  type_line("z", "0.1");
+  type_line("radius", "0.3");
   EXPECT_EQ(balls()[1], (Ball_3{{1, 0, 0.1}, 0.3}));
+  type_line("radius", "-1");
+  EXPECT_EQ(balls()[1].radius, 0.3);
+  EXPECT_EQ(line("radius")->text(), "0.3");
+  EXPECT_EQ(window_->messages().lines().size(), 1);
   EXPECT_EQ(history().count(), 1);
   EXPECT_EQ(history().text(0), "Set numbers of ball 1");
 }
