@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/formats/number.h"
 #include "core/graph.h"
 #include "core/primitives.h"
 #include "core/registry.h"
@@ -41,6 +42,10 @@ inline Primitive_set ball_primitives(const std::vector<Ball_3>& balls) {
   }
   set.values.push_back(std::move(radius));
   return set;
+}
+
+inline Fact fact(std::string name, const Point_3& p) {
+  return {std::move(name), "(" + format_number(p.x) + ", " + format_number(p.y) + ", " + format_number(p.z) + ")"};
 }
 
 /// A layer in a colour.

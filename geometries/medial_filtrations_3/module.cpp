@@ -8,7 +8,9 @@
 
 #include "core/graph.h"
 #include "geometries/medial_filtrations_3/medial_scale_3.h"
+#include "geometries/primitives_2.h"
 #include "geometries/primitives_3.h"
+#include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
 #include "geometries/union_3/module.h"
 
@@ -61,6 +63,64 @@ Primitive_set contact_layer(Context& context) {
   return set;
 }
 
+/// Outlined around its center.
+void add_ball(Primitive_set& set, const Ball_3& ball) {
+  set.balls.push_back({static_cast<int>(set.vertices.size()), ball.radius});
+  set.vertices.push_back(ball.center);
+}
+
+void describe_vertex(const Medial_complex_3& axis, std::size_t vertex, Element_description& description) {
+  description.facts.push_back(fact("radius", axis.radii[vertex]));
+  description.facts.push_back(fact("center", axis.centers[vertex]));
+  if (axis.balls[vertex] >= 0) description.facts.push_back({"ball", std::to_string(axis.balls[vertex])});
+  add_ball(description.dual, {axis.centers[vertex], axis.radii[vertex]});
+}
+
+/// The contacts, the segment between them, and the balls on whose spheres they lie.
+void describe_face(Context& context, const Medial_complex_3& axis, std::size_t face, Element_description& description) {
+  const auto sources = context.get(source_balls_3_key);
+  const auto balls = context.get(balls_3_key);
+  Primitive_set& dual = description.dual;
+  dual.segments.push_back({0, 1});
+  dual.points = {0, 1};
+  std::vector<int> shown;
+  constexpr std::array names{"contact 1", "contact 2"};
+  constexpr std::array names_of_balls{"balls at contact 1", "balls at contact 2"};
+  for (std::size_t which = 0; which < 2; ++which) {
+    const auto around = sources->of_contact(face, which);
+    dual.vertices.push_back(axis.contacts[face][which]);
+    description.facts.push_back(fact(names[which], axis.contacts[face][which]));
+    description.facts.push_back({names_of_balls[which], enumeration(around)});
+    shown.insert(shown.end(), around.begin(), around.end());
+  }
+  std::ranges::sort(shown);
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+  for (const int ball : shown) add_ball(dual, (*balls)[ball]);
+}
+
+/// Of a vertex the medial ball, of an edge those at its ends, of a face what it touches.
+Element_description describe_part(Context& context, std::size_t element) {
+  const auto axis = context.get(medial_axis_3_key);
+  Element_description description;
+  description.dual.dimension = 3;
+  const std::size_t first_face = axis->centers.size() + axis->edges.size();
+  if (element < axis->centers.size()) {
+    describe_vertex(*axis, element, description);
+  } else if (element < first_face) {
+    for (const int end : axis->edges[element - axis->centers.size()])
+      add_ball(description.dual, {axis->centers[end], axis->radii[end]});
+  } else if (element < first_face + axis->face_count()) {
+    describe_face(context, *axis, element - first_face, description);
+  }
+  return description;
+}
+
+/// Of the segment between the contacts of a face what is known of the face.
+Element_description describe_contacts(Context& context, std::size_t element) {
+  const auto axis = context.get(medial_axis_3_key);
+  return describe_part(context, axis->centers.size() + axis->edges.size() + element);
+}
+
 void add_filtration(Registry& registry, const Measure& measure, const char* id, const char* label, const char* help,
                     std::string_view limit, Color color) {
   Layer_spec layer = make_layer(id, label, "Filtration", help, color, [measure](Context& context) {
@@ -68,6 +128,7 @@ void add_filtration(Registry& registry, const Measure& measure, const char* id, 
     add_importance(context, set, measure);
     return set;
   });
+  layer.describe = describe_part;
   layer.cut_value = measure.name;
   layer.cut_setting = limit;
   registry.add_layer(std::move(layer));
@@ -90,19 +151,23 @@ void register_medial_filtrations_3(Registry& registry) {
     return source_balls(*context.get(medial_axis_3_key), *context.get(union_vertices_3_key));
   });
 
-  registry.add_layer(make_layer(
+  Layer_spec medial_axis = make_layer(
       "medial-axis", "Medial axis", "Union of balls",
       "The medial axis of the union of the balls, exact but for incomplete faces: the singular faces of the dual "
       "complex, and the Voronoi diagram of V(U) in the rest of it. Values of edges and vertices are the largest of the "
       "faces around them. [N. Amenta, R. Kolluri: The medial axis of a union of balls, 2001]",
-      {60, 130, 90}, axis_layer));
-  registry.add_layer(make_layer(
+      {60, 130, 90}, axis_layer);
+  medial_axis.describe = describe_part;
+  registry.add_layer(std::move(medial_axis));
+  Layer_spec contacts = make_layer(
       "medial-contacts", "Contact points", "Union of balls",
       "For each face of the medial axis the two points where its medial balls touch the boundary of the union, joined "
       "by a segment whose id is the number of the face among the elements of the medial axis. Its values are the "
       "source balls: numbers of three balls on whose spheres each contact lies. [N. Amenta, R. Kolluri: The medial "
       "axis of a union of balls, 2001]",
-      {170, 130, 60}, contact_layer));
+      {170, 130, 60}, contact_layer);
+  contacts.describe = describe_contacts;
+  registry.add_layer(std::move(contacts));
   add_filtration(
       registry, lambda, "lambda-medial-axis", "Lambda medial axis",
       "The faces of the medial axis whose lambda reaches lambda-limit, and what bounds them. Lambda is half the "

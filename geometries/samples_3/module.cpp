@@ -7,6 +7,7 @@
 #include "geometries/power_crust_3/module.h"
 #include "geometries/primitives_3.h"
 #include "geometries/surface_error_3/module.h"
+#include "geometries/union_3/module.h"
 #include "geometries/union_3/union_3.h"
 
 namespace mesecina {
@@ -56,6 +57,27 @@ Primitive_set ball_layer(Context& context) {
   Primitive_set set = ball_primitives(*context.get(balls_3_key));
   if (are_balls_of_mesh(context)) context.get(surface_error_3_key);
   return set;
+}
+
+/// With the edges of the dual complex that end at it.
+Element_description describe_ball(Context& context, std::size_t element) {
+  const auto balls = context.get(balls_3_key);
+  Element_description description;
+  if (element >= balls->size()) return description;
+  Primitive_set& star = description.dual;
+  star.dimension = 3;
+  const int ball = static_cast<int>(element);
+  star.vertices.push_back((*balls)[element].center);
+  const auto dual = context.get(dual_3_key);
+  for (const Dual_3::Edge& edge : dual->edges) {
+    if (edge.balls[0] != ball && edge.balls[1] != ball) continue;
+    star.segments.push_back({0, static_cast<int>(star.vertices.size())});
+    const int other = edge.balls[0] == ball ? edge.balls[1] : edge.balls[0];
+    star.vertices.push_back(dual->regular->balls[other].center);
+  }
+  description.facts.push_back(fact("center", (*balls)[element].center));
+  description.facts.push_back({"neighbours in the dual complex", std::to_string(star.segments.size())});
+  return description;
 }
 
 void add_settings(Registry& registry) {
@@ -154,13 +176,15 @@ void register_samples_3(Registry& registry) {
       "Points of the surface: every point of it has one within delta, and there are more where the balls would deviate "
       "from it or the solid is thin.",
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
-  registry.add_layer(
+  Layer_spec balls =
       make_layer("balls", "Balls", stage,
                  "The balls whose union is looked at: given ones, else the inner poles of the samples, or "
                  "of points that were read. Of a mesh, statistics tell how far "
                  "their union is from it. [N. Amenta, S. Choi, R. "
                  "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
-                 {60, 110, 170}, ball_layer));
+                 {60, 110, 170}, ball_layer);
+  balls.describe = describe_ball;
+  registry.add_layer(std::move(balls));
 }
 
 }  // namespace mesecina
