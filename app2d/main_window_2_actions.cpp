@@ -12,9 +12,9 @@
 #include "app2d/generators_2.h"
 #include "app2d/main_window_2.h"
 #include "app2d/popovers_2.h"
-#include "app2d/tool_icons.h"
 #include "shell/key_sheet.h"
 #include "shell/preferences.h"
+#include "shell/tool_icons.h"
 
 namespace mesecina {
 

@@ -45,6 +45,7 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
   readout_ = make_plate(QStringLiteral("readout"));
   make_actions();
   make_menus();
+  make_tool_bar();
   connect_common();
   connect_editing();
   use_tool(QStringLiteral("tool-turn"));

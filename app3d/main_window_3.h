@@ -68,6 +68,7 @@ class Main_window_3 : public Program_window {
   void make_help_actions();
   void make_menus();
   void make_editing_menus();
+  void make_tool_bar();
   void connect_editing();
   void show_selection();
   void show_tool(const QPointF& pixel);

@@ -8,6 +8,7 @@
 #include "app3d/main_window_3.h"
 #include "core/formats/format.h"
 #include "shell/key_sheet.h"
+#include "shell/tool_icons.h"
 
 namespace mesecina {
 
@@ -15,7 +16,7 @@ void Main_window_3::make_actions() {
   begin_actions();
   make_file_actions();
   make_save_actions();
-  make_undo_actions({}, {});
+  make_undo_actions(tool_icon(Tool_icon::undo), tool_icon(Tool_icon::redo));
   make_edit_actions();
   actions_->add(tr("Edit"),
                 {QStringLiteral("escape"),

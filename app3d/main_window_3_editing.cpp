@@ -4,11 +4,13 @@
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QToolBar>
 #include <algorithm>
 
 #include "app3d/main_window_3.h"
 #include "app3d/marks_3.h"
 #include "app3d/popovers_3.h"
+#include "shell/tool_icons.h"
 
 namespace mesecina {
 
@@ -102,25 +104,26 @@ void Main_window_3::make_edit_actions() {
 void Main_window_3::make_tool_actions() {
   const QString group = tr("Tools");
   auto* choices = new QActionGroup(this);
-  const auto add = [&](const char* id, const QString& text, const QString& tip, Qt::Key key, Tool_3* tool) {
+  const auto add = [&](const char* id, const QString& text, const QString& tip, Qt::Key key, Tool_icon icon,
+                       Tool_3* tool) {
     const QString name = QLatin1String(id);
     if (tool) tools_[name] = tool;
-    QAction* action =
-        actions_->add(group, {name, text, tip, {QKeySequence(key)}, {}, true}, [this, name] { use_tool(name); });
+    QAction* action = actions_->add(group, {name, text, tip, {QKeySequence(key)}, tool_icon(icon), true},
+                                    [this, name] { use_tool(name); });
     choices->addAction(action);
   };
   const bool is_drawn = viewer_ != nullptr;
   add("tool-turn", tr("&Turn the scene"), tr("Drag turns the scene, as it does with every tool where nothing is"),
-      Qt::Key_T, is_drawn ? new Turn_tool_3(*editor_, *viewer_) : nullptr);
+      Qt::Key_T, Tool_icon::turn, is_drawn ? new Turn_tool_3(*editor_, *viewer_) : nullptr);
   add("tool-select", tr("&Select and move"),
       tr("Click selects balls and points, drag moves them or resizes by a handle, Shift+drag draws a rectangle"),
-      Qt::Key_V, is_drawn ? new Select_tool_3(*editor_, *viewer_) : nullptr);
+      Qt::Key_V, Tool_icon::select, is_drawn ? new Select_tool_3(*editor_, *viewer_) : nullptr);
   add("tool-points", tr("Add &points"),
       tr("Every click adds a point: on what is there, on the cutting plane or in the middle"), Qt::Key_P,
-      is_drawn ? new Add_tool_3(Add_tool_3::Kind::point, *editor_, *viewer_) : nullptr);
+      Tool_icon::insert, is_drawn ? new Add_tool_3(Add_tool_3::Kind::point, *editor_, *viewer_) : nullptr);
   add("tool-balls", tr("Add &balls"),
       tr("Every click adds a ball: on what is there, on the cutting plane or in the middle"), Qt::Key_B,
-      is_drawn ? new Add_tool_3(Add_tool_3::Kind::ball, *editor_, *viewer_) : nullptr);
+      Tool_icon::disk, is_drawn ? new Add_tool_3(Add_tool_3::Kind::ball, *editor_, *viewer_) : nullptr);
 }
 
 void Main_window_3::make_insert_actions() {
@@ -147,6 +150,14 @@ void Main_window_3::make_editing_menus() {
   QMenu* tools = menuBar()->addMenu(tr("&Tools"));
   tools->setToolTipsVisible(true);
   actions_->add_to(tools, {"tool-turn", "tool-select", "tool-points", "tool-balls"});
+}
+
+void Main_window_3::make_tool_bar() {
+  auto* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tool-bar"));
+  bar->setMovable(false);
+  (*actions_)[QStringLiteral("fit")]->setIcon(tool_icon(Tool_icon::fit));
+  actions_->add_to(bar, {"tool-turn", "tool-select", "tool-points", "tool-balls", "-", "undo", "redo", "-", "fit"});
 }
 
 void Main_window_3::connect_editing() {

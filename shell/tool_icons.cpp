@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app2d/tool_icons.h"
+#include "shell/tool_icons.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -52,6 +52,11 @@ void paint_icon(QPainter& painter, const QColor& color, Tool_icon icon) {
       painter.drawEllipse(QPointF(8, 8), 5.8, 5.8);
       painter.drawLine(QPointF(8, 8), QPointF(12.1, 3.9));
       dot(8, 8, 1.2);
+      break;
+    case Tool_icon::turn:
+      painter.drawArc(QRectF(2.5, 5, 11, 6), 20 * 16, 320 * 16);
+      painter.drawArc(QRectF(5, 2.5, 6, 11), 110 * 16, 320 * 16);
+      painter.drawPolyline(QPolygonF({{10.8, 5.2}, {13.2, 6.9}, {13.8, 4}}));
       break;
     case Tool_icon::pan:
       painter.drawLine(QPointF(8, 1.8), QPointF(8, 14.2));
