@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QWheelEvent>
@@ -152,14 +153,24 @@ void Viewer_3::paint(int samples) {
   if (!renderer_) return;
   Frame_3 here = frame();
   here.samples = samples;
-  if (!is_resting_) here.most_translucent_layers = layers_while_moving;
+  if (!is_resting_) {
+    here.most_translucent_layers = layers_while_moving;
+    if (is_software_) here.coarseness = pace_.coarseness();
+  }
   std::vector<Scene_layer> above = overlay_;
   if (pivot_) above.push_back(*pivot_);
   for (const Viewer_tool_3* tool : {handle_, tool_})
     if (tool) std::ranges::move(tool->overlay(), std::back_inserter(above));
   Scene shown = scene_;
   shown.transparent_background = false;
+  QElapsedTimer time;
+  time.start();
   renderer_->draw(shown, above, view(), here);
+  if (!is_software_) return;
+  context()->functions()->glFinish();
+  // As many pixels as samples: what is smooth tells of pictures that are not.
+  constexpr double seconds_per_nanosecond = 1e-9;
+  pace_.took(seconds_per_nanosecond * static_cast<double>(time.nsecsElapsed()) / (samples * samples), here.coarseness);
 }
 
 void Viewer_3::paintGL() {
@@ -200,7 +211,11 @@ void Viewer_3::paint_marks(QPainter& painter) const {
   paint_scale_bar(painter, scale(), is_exact, corner_of_marks() + QPointF(beside, -lift), scene_.background);
 }
 
-void Viewer_3::draw() { paint(is_resting_ || !is_software_ ? 2 : 1); }
+void Viewer_3::draw() {
+  constexpr int smooth = 2;
+  const bool is_smooth = !is_software_ || (is_resting_ && pace_.affords(smooth * smooth));
+  paint(is_smooth ? smooth : 1);
+}
 
 void Viewer_3::fastDraw() { draw(); }
 
@@ -313,6 +328,8 @@ void Viewer_3::closeEvent(QCloseEvent* event) { event->accept(); }
 
 QImage Viewer_3::grab_picture() {
   is_resting_ = true;
+  // With smooth edges, however long that takes.
+  pace_ = {};
   return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }
 

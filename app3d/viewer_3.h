@@ -16,6 +16,7 @@
 #include "app3d/view_history_3.h"
 #include "app3d/view_marks_3.h"
 #include "app3d/viewer_tool_3.h"
+#include "layers/frame_pace.h"
 #include "layers/gl_renderer_3.h"
 
 namespace mesecina {
@@ -24,7 +25,8 @@ namespace mesecina {
 class Viewer_3 : public QGLViewer {
   Q_OBJECT
  public:
-  /// `is_software`: OpenGL draws without a graphics card. Then edges become smooth only when the view rests.
+  /// `is_software`: OpenGL draws without a graphics card. Then edges become smooth only when the view rests,
+  /// and pictures coarser while it moves if they take long.
   explicit Viewer_3(bool is_software, QWidget* parent = nullptr);
   ~Viewer_3() override;
 
@@ -143,6 +145,7 @@ class Viewer_3 : public QGLViewer {
   bool is_software_ = false;
   bool has_failed_ = false;
   bool is_resting_ = true;
+  Frame_pace pace_;
   QTimer rest_;
   QTimer pivot_time_;
   std::optional<Scene_layer> pivot_;
