@@ -51,8 +51,8 @@ int run_without_window(mesecina::Command_line command_line, const std::shared_pt
 }
 
 int open_window(int argc, char** argv, const mesecina::Command_line& command_line,
-                const std::shared_ptr<const mesecina::Registry>& registry, mesecina::Formats formats) {
-  return mesecina::start_window(argc, argv, command_line, registry, std::move(formats));
+                const std::shared_ptr<const mesecina::Registry>& registry, const mesecina::Formats& formats) {
+  return mesecina::start_window(argc, argv, command_line, registry, formats);
 }
 
 #else
@@ -84,7 +84,7 @@ int run(int argc, char** argv) {
   }
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
   if (command_line.nogui) return run_without_window(command_line, registry, formats);
-  return open_window(argc, argv, command_line, registry, std::move(formats));
+  return open_window(argc, argv, command_line, registry, formats);
 }
 
 }  // namespace
