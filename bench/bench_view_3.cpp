@@ -226,7 +226,7 @@ void bench_scale(Table& table, const std::string& file, double count) {
   Progress progress({}, {}, threads);
   double delta = 0.01;
   std::size_t balls = 0;
-  constexpr int most_rounds = 6;
+  constexpr int most_rounds = 10;
   for (int i = 0; i < most_rounds; ++i) {
     graph.set_settings(Settings().with("delta", delta));
     const auto found = graph.structure(balls_3_key, progress);
@@ -249,8 +249,8 @@ void bench_scale(Table& table, const std::string& file, double count) {
   for (int i = 1; i <= steps; ++i) {
     const double scale = 1.1 + 0.02 * i;
     sum += seconds([&] { axis_at(scale); });
-    for (const Graph::Stage& stage : graph.stages()) stages[stage.id] += stage.seconds / steps;
   }
+  for (const Graph::Stage& stage : graph.stages()) stages[stage.id] += stage.seconds / steps;
   table.row(std::to_string(balls) + " balls: updates of the scale axis [" + std::to_string(threads) + " threads]",
             steps / sum, "per s", 2, false);
   for (const auto& [id, time] : stages)
