@@ -109,6 +109,13 @@ void write_woff_balls(std::ostream& stream, const Inputs& inputs) {
   write_balls(text, all_of(balls));
 }
 
+void write_moff_balls(std::ostream& stream, const Inputs& inputs) {
+  Buffered_text text(stream);
+  const auto balls = inputs.get(balls_input);
+  text << "MOFF " << all_of(balls).size() << " 0 1\n";
+  write_balls(text, all_of(balls));
+}
+
 void write_ma_balls(std::ostream& stream, const Inputs& inputs) {
   Buffered_text text(stream);
   const auto balls = inputs.get(balls_input);

@@ -70,4 +70,15 @@ void write_obj_layer(std::ostream& stream, const Layer_document& document) {
     text << "# " << kind << " of radius " << ball.radius << "\np " << ball.center + 1 << "\n";
 }
 
+void write_obj_mesh(std::ostream& stream, const Inputs& inputs) {
+  Buffered_text text(stream);
+  const auto mesh = inputs.get(mesh_input);
+  if (!mesh || mesh->vertices.empty()) {
+    text << "# no vertices\n";
+    return;
+  }
+  for (const Point_3& vertex : mesh->vertices) write_vertex(text, vertex);
+  for (const auto& [p, q, r] : mesh->triangles) text << "f " << p + 1 << " " << q + 1 << " " << r + 1 << "\n";
+}
+
 }  // namespace mesecina

@@ -220,4 +220,14 @@ void write_ply_layer(std::ostream& stream, const Layer_document& document) {
   Ply_writer(stream, mesh, set.values).write(comments_on(document, set, mesh));
 }
 
+void write_ply_mesh(std::ostream& stream, const Inputs& inputs) {
+  Primitive_set set;
+  set.dimension = 3;
+  if (const auto mesh = inputs.get(mesh_input)) {
+    set.vertices = mesh->vertices;
+    set.triangles = mesh->triangles;
+  }
+  Ply_writer(stream, complex(set), {}).write({});
+}
+
 }  // namespace mesecina

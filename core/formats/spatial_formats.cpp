@@ -43,10 +43,13 @@ Formats spatial_formats() {
   };
   formats.input_writers = {
       {"woff", "woff", std::string(balls_input.id), write_woff_balls},
+      {"moff", "moff", std::string(balls_input.id), write_moff_balls},
       {"csv", "csv", std::string(balls_input.id), write_csv_balls},
       {"ma", "ma", std::string(balls_input.id), write_ma_balls},
       {"xyz", "xyz", std::string(cloud_input.id), write_xyz_cloud},
       {"off", "off", std::string(mesh_input.id), write_off_mesh},
+      {"obj", "obj", std::string(mesh_input.id), write_obj_mesh},
+      {"ply", "ply", std::string(mesh_input.id), write_ply_mesh},
   };
   return formats;
 }

@@ -59,11 +59,15 @@ void write_poff_points(std::ostream& stream, const Inputs& inputs);
 void write_wpoff_disks(std::ostream& stream, const Inputs& inputs);
 void write_csv_disks(std::ostream& stream, const Inputs& inputs);
 void write_woff_balls(std::ostream& stream, const Inputs& inputs);
+void write_moff_balls(std::ostream& stream, const Inputs& inputs);
 void write_ma_balls(std::ostream& stream, const Inputs& inputs);
 void write_csv_balls(std::ostream& stream, const Inputs& inputs);
 void write_xyz_cloud(std::ostream& stream, const Inputs& inputs);
 /// A mesh without triangles comes back as a cloud.
 void write_off_mesh(std::ostream& stream, const Inputs& inputs);
+/// As write_off_mesh; without vertices a comment alone, which is not read.
+void write_obj_mesh(std::ostream& stream, const Inputs& inputs);
+void write_ply_mesh(std::ostream& stream, const Inputs& inputs);
 
 /// Rings become the outer rings and holes of polygons by how they contain one another. Every ring keeps its first
 /// vertex and direction; holes are written after their outer ring. Rings that cross each other or themselves have no

@@ -229,6 +229,8 @@ TEST(Spatial_input_writers, ComeBackExactly) {
 TEST(Spatial_input_writers, OfNothingComeBackEmpty) {
   const Temporary_folder folder(spatial_formats());
   for (const Input_writer& writer : spatial_formats().input_writers) {
+    // The file of an OBJ without vertices is like any file that is no OBJ.
+    if (writer.extension == "obj") continue;
     std::ostringstream stream;
     writer.write(stream, Inputs());
     const File_contents contents = folder.read("a." + writer.extension, stream.str());
