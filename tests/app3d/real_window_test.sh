@@ -95,6 +95,13 @@ wait_for 20 changes_from "$from_front" || fail "Alt+H shows no other layers"
 xdotool key --delay 30 ctrl+z
 wait_for 20 seen_first || fail "undo does not hide the layers again"
 
+# Half of each ball is left, filled where it is cut; the view before has no plane.
+xdotool key --delay 30 shift+x
+wait_for 20 changes_from "$from_front" || fail "a cutting plane changes nothing"
+[ "$(settled)" -lt "$from_front" ] || fail "a cutting plane takes nothing away"
+xdotool key --delay 30 BackSpace
+wait_for 20 seen_first || fail "the previous view is another: $(covered) pixels, $from_front at first"
+
 xdotool key --delay 30 ctrl+q
 wait_for 20 sh -c "! kill -0 $process" || fail "Ctrl+Q does not close the window"
 code=0
