@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <algorithm>
 #include <vector>
 
 #include "app3d/viewer_3.h"
@@ -29,8 +30,8 @@ class Camera_player_3 : public QObject {
   void play();
   void stop();
   void set_loop(bool is_loop) { is_loop_ = is_loop; }
-  /// Between key frames.
-  void set_seconds(double seconds) { seconds_ = seconds; }
+  /// Between key frames; from a twentieth to a minute.
+  void set_seconds(double seconds) { seconds_ = std::clamp(seconds, 0.05, 60.0); }
   double seconds() const { return seconds_; }
 
  Q_SIGNALS:

@@ -162,6 +162,10 @@ void Main_window_3::finish_drawing() {
 
 void Main_window_3::escape() {
   if (tool_ && tool_->cancel()) return;
+  if (player_ && player_->is_playing()) {
+    player_->stop();
+    return;
+  }
   if (popover_) {
     popover_->dismiss();
   } else if (files_->jobs().is_busy()) {

@@ -159,6 +159,7 @@ bool Plane_handle_3::wheel(const QWheelEvent& event) {
   constexpr double eighths_per_notch = 120;
   constexpr double pixels_per_notch = 8;
   const double size = sight().pixel_size(frame()->center);
+  viewer_.remember_step();
   viewer_.set_cutting_plane(shifted(*plane, pixels_per_notch * size * event.angleDelta().y() / eighths_per_notch));
   return true;
 }

@@ -75,6 +75,8 @@ class Plane_popover_3 : public Popover {
   }
 
   void follow() {
+    const bool is_closed = shown_ && isHidden();
+    if (is_closed) return;
     const auto plane = viewer_.view().cutting_plane;
     if (!plane) {
       dismiss();

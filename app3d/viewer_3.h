@@ -52,6 +52,8 @@ class Viewer_3 : public QGLViewer {
   void previous_view();
   /// Something that will move the view without go_to() begins: previous_view() leads to before it.
   void remember_view();
+  /// As remember_view(), but steps that follow each other within half a second are one. Takes the camera.
+  void remember_step();
   /// Milliseconds that a flight takes; 0: there are none.
   void set_flight_time(int milliseconds) { flight_time_ = milliseconds; }
   bool is_flying() const { return flight_timer_.isActive(); }
@@ -130,8 +132,6 @@ class Viewer_3 : public QGLViewer {
   void fly_to(const View_3& view);
   void fly();
   void stop_flight();
-  /// Zooming steps that follow each other at once are one for previous_view().
-  void remember_step();
   Viewer_tool_3* taker(const std::function<bool(Viewer_tool_3&)>& offer) const;
   QPointF corner_of_marks() const;
   void paint_marks(QPainter& painter) const;

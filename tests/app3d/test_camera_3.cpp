@@ -235,6 +235,9 @@ TEST_F(Camera_in_window, KeyFramesArePlayed) {
   const QPoint middle = viewer().rect().center();
   drag(Qt::LeftButton, middle, middle + QPoint(60, 20));
   EXPECT_FALSE(window_->player()->is_playing()) << "the mouse takes the camera";
+  trigger("play-camera-path");
+  trigger("escape");
+  EXPECT_FALSE(window_->player()->is_playing());
 }
 
 TEST_F(Camera_in_window, TheCuttingPlaneIsMovedByItsArrow) {
@@ -264,6 +267,8 @@ TEST_F(Camera_in_window, TheCuttingPlaneIsMovedByItsArrow) {
   wheel(viewer().rect().center(), 2, Qt::ControlModifier);
   EXPECT_GT(viewer().view().cutting_plane->point.x, 0.01);
   EXPECT_TRUE(is_nearly_equal(viewer().view().camera, camera));
+  trigger("previous-view");
+  EXPECT_NEAR(viewer().view().cutting_plane->point.x, 0, 1e-9);
 }
 
 TEST_F(Camera_in_window, TheCuttingPlaneIsTurnedByItsFrame) {
