@@ -89,7 +89,8 @@ std::pair<std::vector<Point_3>, double> lattice(const Generator_order_3& order) 
   const std::size_t side = side_of_lattice(order.count);
   // Few significant bits: multiples of it have no rounding.
   const double step = std::exp2(std::floor(std::log2(2 * order.size / std::max<double>(1, double(side) - 1))));
-  const auto first = [&](double middle) { return std::round((middle - step * (double(side) - 1) / 2) / step) * step; };
+  const double fine = step / 64;
+  const auto first = [&](double middle) { return std::round((middle - step * (double(side) - 1) / 2) / fine) * fine; };
   const Point_3 corner{first(order.center.x), first(order.center.y), first(order.center.z)};
   std::vector<Point_3> points;
   points.reserve(order.count);

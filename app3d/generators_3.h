@@ -17,7 +17,8 @@ struct Generator_order_3 {
   double least_radius = 0.1;  ///< of random balls
   double greatest_radius = 0.3;
   Point_3 center;   ///< of what is made
-  double size = 1;  ///< what is made lies within this distance of the center along each axis, balls with their center
+  double size = 1;  ///< what is made lies within this distance of the center along each axis, of balls the centers;
+                    ///< lattices nearly so
 };
 
 /// What a generator makes.

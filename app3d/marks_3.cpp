@@ -14,6 +14,7 @@ namespace {
 constexpr Color selection_color{240, 110, 0};
 constexpr Color ghost_color{0, 140, 255};
 constexpr double size_of_points = 9;
+constexpr double size_of_many_points = 5;
 constexpr double faint = 0.45;
 constexpr std::size_t most_outlines = 300;
 /// Beyond, an outline is no circle that one sees.
@@ -47,6 +48,7 @@ std::vector<Scene_layer> selection_marks_3(const Inputs& inputs, const Selection
     for (std::size_t i = 0; i < points.size(); ++i) set->points.push_back(static_cast<int>(i));
     Scene_layer layer = mark("selected-points", std::move(set), selection_color);
     layer.style.opacity = 1;
+    if (points.size() > most_outlines) layer.style.point_size = size_of_many_points;
     layers.push_back(std::move(layer));
   }
   const std::vector<Ball_3> balls = selected_balls(inputs, selection);

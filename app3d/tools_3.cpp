@@ -128,6 +128,12 @@ std::vector<Scene_layer> Tool_3::overlay() const {
 }
 
 void Tool_3::paint(QPainter& painter) const {
+  if (editor_.document().inputs().is_empty()) {
+    painter.setFont(viewer_.font());
+    painter.setPen(Qt::gray);
+    painter.drawText(viewer_.rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("Drop a file here, press B and click to add balls, or choose a shape of the menu Insert"));
+  }
   paint_outlines_3(painter, aim_.sight(), editor_.document().inputs(), editor_.selection());
   if (!uses_handles()) return;
   for (const Ball_handle_3& handle : handles()) paint_handle_3(painter, handle.pixel);
