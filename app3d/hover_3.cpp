@@ -84,7 +84,10 @@ std::vector<Scene_layer> Hover_3::overlay() const {
   constexpr Color element_color{235, 120, 10};
   constexpr Color dual_color{20, 120, 235};
   if (hovered_->dual) layers.push_back(outlined("dual-of-hovered", hovered_->dual, dual_color));
-  layers.push_back(outlined("hovered", hovered_->highlight, element_color));
+  Scene_layer element = outlined("hovered", hovered_->highlight, element_color);
+  // What is seen of it; the outline of a ball among others is mostly hidden.
+  element.style.filled = true;
+  layers.push_back(std::move(element));
   return layers;
 }
 

@@ -10,6 +10,7 @@
 #include "app3d/example_3.h"
 #include "app3d/first_look_3.h"
 #include "layers/canvas_surface.h"
+#include "shell/element_facts.h"
 
 namespace mesecina {
 
@@ -116,7 +117,7 @@ void Main_window_3::show_scene() {
 
 void Main_window_3::show_hover() {
   viewer_->set_overlay(hover_->overlay());
-  show_facts_text(hover_->text());
+  show_facts_text(with_short_numbers(hover_->text()));
   if (!hover_->hovered()) {
     coordinates_->clear();
     return;

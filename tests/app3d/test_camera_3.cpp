@@ -93,6 +93,26 @@ TEST_F(Camera_in_window, StandardViewsFollowWhatPointsUpwards) {
   EXPECT_LT(distance(viewer().view().camera.axes().up, {0, 0, -1}), 1e-6);
 }
 
+TEST_F(Camera_in_window, TheNumberPadLooksAlongAxes) {
+  window_->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+  viewer().setFocus();
+  const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(&viewer(), key, modifiers | Qt::KeypadModifier);
+    return back();
+  };
+  EXPECT_LT(distance(press(Qt::Key_3), {1, 0, 0}), 1e-6);
+  EXPECT_LT(distance(press(Qt::Key_1), {0, 0, 1}), 1e-6);
+  EXPECT_LT(distance(press(Qt::Key_7), {0, 1, 0}), 1e-6);
+  EXPECT_LT(distance(press(Qt::Key_1, Qt::ControlModifier), {0, 0, -1}), 1e-6);
+  int count = 0;
+  QObject::connect(window_->actions()["projection"], &QAction::triggered, window_.get(), [&] { ++count; });
+  press(Qt::Key_5);
+  EXPECT_EQ(count, 1);
+  QTest::keyClick(&viewer(), Qt::Key_5);
+  EXPECT_EQ(count, 2);
+}
+
 TEST_F(Camera_in_window, ATurntableStaysUprightAndABallDoesNot) {
   const QPoint middle = viewer().rect().center();
   const auto turn = [&] {
