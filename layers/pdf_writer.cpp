@@ -24,6 +24,13 @@ void remove_date(QByteArray& pdf) {
 }  // namespace
 
 std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int height) {
+  return pdf_page(width, height, [&](QPainter& painter) {
+    paint_scene(painter, scene, view, width, height);
+    paint_color_bars(painter, scene, width, height);
+  });
+}
+
+std::string pdf_page(int width, int height, const std::function<void(QPainter&)>& paint) {
   constexpr double points_per_pixel = 0.75;
   constexpr int resolution = 1200;
   QByteArray bytes;
@@ -37,8 +44,7 @@ std::string pdf_bytes(const Scene& scene, const View_2& view, int width, int hei
   writer.setPageMargins(QMarginsF());
   QPainter painter(&writer);
   painter.scale(resolution / 96.0, resolution / 96.0);
-  paint_scene(painter, scene, view, width, height);
-  paint_color_bars(painter, scene, width, height);
+  paint(painter);
   painter.end();
   remove_date(bytes);
   return bytes.toStdString();

@@ -7,15 +7,18 @@
 #include <QPainter>
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <new>
 #include <ostream>
+#include <stdexcept>
 #include <vector>
 
 #include "layers/egl_context.h"
 #include "layers/gl_objects.h"
 #include "layers/painter_canvas.h"
 #include "layers/picture_formats.h"
+#include "layers/space_vectors.h"
 
 namespace mesecina {
 
@@ -54,7 +57,7 @@ class Windowless_renderer {
 
   /// Throws std::runtime_error when there can be none.
   QImage paint(const Scene& scene, const View_3& view, int width, int height) {
-    if (!application_) application_ = std::make_unique<Picture_application>();
+    start_application();
     if (!context_) context_ = std::make_unique<Egl_context>();
     context_->make_current();
     try {
@@ -68,11 +71,24 @@ class Windowless_renderer {
     }
   }
 
+  /// So that there can be text.
+  void start_application() {
+    if (!application_) application_ = std::make_unique<Picture_application>();
+  }
+
  private:
   std::unique_ptr<Picture_application> application_;
   std::unique_ptr<Egl_context> context_;
   std::unique_ptr<Gl_renderer_3> renderer_;
 };
+
+void write_vectors(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
+  try {
+    write_file(file, write);
+  } catch (const std::invalid_argument& error) {
+    throw File_error(file, 0, error.what());
+  }
+}
 
 }  // namespace
 
@@ -137,6 +153,25 @@ void add_space_picture_formats(Formats& formats) {
            throw File_error(file, 0, "no picture can be drawn: " + std::string(error.what()));
          }
          write_file(file, [&](std::ostream& out) { out << bytes; });
+       }});
+  formats.picture_writers.push_back(
+      {"svg",
+       "svg",
+       "SVG 1.1 of up to 20000 faces, lines, points and balls, with groups named by layers",
+       {},
+       [](const std::filesystem::path& file, const Scene& scene, const View_3& view, int width, int height) {
+         check_picture_size(file, width, height);
+         write_vectors(file, [&](std::ostream& out) { write_space_svg(out, scene, view, width, height); });
+       }});
+  formats.picture_writers.push_back(
+      {"pdf",
+       "pdf",
+       "PDF of up to 20000 faces, lines, points and balls, 96 pixels to the inch",
+       {},
+       [renderer](const std::filesystem::path& file, const Scene& scene, const View_3& view, int width, int height) {
+         check_picture_size(file, width, height);
+         renderer->start_application();
+         write_vectors(file, [&](std::ostream& out) { out << space_pdf_bytes(scene, view, width, height); });
        }});
 }
 

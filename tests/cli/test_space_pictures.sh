@@ -52,6 +52,16 @@ for text in '{}' 'nonsense' '{"camera": {"position": [0, 0, 0], "target": [0, 0,
   expect_no_file bad
 done
 
+# Vectors: circles in a group named by the layer; too much of them is refused with its number.
+succeed --nogui two.cin --layers given-balls --formats svg,pdf --size 200x200 --view along.json --output vectors
+expect_file vectors/two.pdf
+expect_in vectors/two.svg 'data-layer="given-balls"'
+expect_in vectors/two.svg '<circle cx="'
+awk 'BEGIN { for (i = 0; i < 20001; ++i) print i, 0, 0, 1 }' >many.cin
+run --nogui many.cin --layers given-balls --formats svg --output many
+expect_status 1
+expect_in stderr 'found 20001; choose png'
+
 # Workers are copies of the first process, which therefore makes no context of graphics itself.
 "$program" --nogui two.cin --layers given-balls --formats png --size 900x900 --output apart >/dev/null &
 first=$!
