@@ -224,17 +224,22 @@ void bench_scale(Table& table, const std::string& file, double count) {
   Graph graph(make_registry_3());
   graph.set_inputs(read_file(spatial_formats(), file).inputs);
   Progress progress({}, {}, threads);
+  // Their number goes with 1 / delta^2 but for jumps, so the nearest of some steps between two bounds is taken.
   double delta = 0.01;
   std::size_t balls = 0;
-  constexpr int most_rounds = 10;
-  for (int i = 0; i < most_rounds; ++i) {
-    graph.set_settings(Settings().with("delta", delta));
+  double least = 1e-3;
+  double most = 0.1;
+  constexpr int steps_of_search = 12;
+  for (int i = 0; i < steps_of_search; ++i) {
+    const double tried = std::sqrt(least * most);
+    graph.set_settings(Settings().with("delta", tried));
     const auto found = graph.structure(balls_3_key, progress);
     if (!found) throw std::runtime_error(found.reason);
+    const auto size = static_cast<double>(found.value->size());
+    (size > count ? least : most) = tried;
+    if (i > 0 && std::abs(std::log(size / count)) >= std::abs(std::log(static_cast<double>(balls) / count))) continue;
     balls = found.value->size();
-    const double share = static_cast<double>(balls) / count;
-    if (std::abs(share - 1) < 0.05) break;
-    delta *= std::sqrt(share);
+    delta = tried;
   }
   const auto axis_at = [&](double scale) {
     graph.set_settings(Settings().with("delta", delta).with("scale", scale));
