@@ -8,7 +8,7 @@ find_program(MESECINA_XVFB_RUN xvfb-run)
 
 function(mesecina_window_run name program)
   if(MESECINA_XVFB_RUN)
-    add_test(NAME ${name} COMMAND ${MESECINA_XVFB_RUN} -a -s "-screen 0 1280x1024x24" $<TARGET_FILE:${program}>)
+    add_test(NAME ${name} COMMAND ${MESECINA_XVFB_RUN} -a -s "-screen 0 1280x1024x24 -noreset" $<TARGET_FILE:${program}>)
   else()
     add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: xvfb-run is not installed")
   endif()

@@ -7,7 +7,7 @@ set -euo pipefail
 
 program=$(realpath "$1")
 if [ -z "${INSIDE_XVFB-}" ]; then
-  INSIDE_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x800x24" "$0" "$program"
+  INSIDE_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$program"
 fi
 
 folder=$(mktemp -d)
