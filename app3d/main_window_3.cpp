@@ -26,6 +26,7 @@ Document_state first_state(const Registry& registry, const Startup& startup) {
     state.layers = default_layers(registry);
     for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
   }
+  apply_styles(startup, state.layers);
   return state;
 }
 

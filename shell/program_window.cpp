@@ -263,6 +263,16 @@ void Program_window::connect_common() {
   connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
 }
 
+void apply_styles(const Startup& startup, Layer_list& layers) {
+  for (Layer_entry& entry : layers) {
+    const auto changed = startup.styles.find(entry.id);
+    if (changed == startup.styles.end()) continue;
+    const bool is_visible = entry.style.visible;
+    entry.style = changed->second;
+    entry.style.visible = is_visible;
+  }
+}
+
 void Program_window::start(const Startup& startup, const QString& usual_layer) {
   layer_panel_->set_layers(document_.layers());
   layer_panel_->set_settings(document_.settings());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,12 @@ struct Startup {
   std::vector<std::filesystem::path> files;  ///< none: a live example
   std::vector<std::string> layers;           ///< the visible ones; none: a sensible few
   Settings settings;
+  std::map<std::string, Style> styles =
+      {};  ///< by layer: looks other than the usual ones; of `visible` `layers` decides
 };
+
+/// Gives layers the looks of `startup`.
+void apply_styles(const Startup& startup, Layer_list& layers);
 
 /// What the windows of all programs have in common: a document that is computed in the background, panels of layers and
 /// settings around a canvas, messages, progress, files, themes. A program adds its canvas and what one can do with it.

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPixmap>
 #include <QTimer>
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -82,7 +83,9 @@ int run_window(int argc, char** argv, const Program_identity& identity,
   QSurfaceFormat::setDefaultFormat(format);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-  QApplication application(argc, argv);
+  // Qt would take --style for its own.
+  int own_count = std::min(argc, 1);
+  QApplication application(own_count, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("mesecina"));
   QCoreApplication::setApplicationName(identity.name);
   QCoreApplication::setApplicationVersion(identity.version);

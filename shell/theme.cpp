@@ -3,8 +3,11 @@
 
 #include <QApplication>
 #include <QColor>
-#include <QStyle>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <cmath>
+#include <memory>
 
 #include "layers/panel_paint.h"
 
@@ -54,6 +57,25 @@ QPalette palette_of(const Tones& tones) {
   return palette;
 }
 
+/// Fusion takes the frames of boxes to check from the window's colour, made darker: in a dark window they are not seen.
+class Framed_boxes : public QProxyStyle {
+ public:
+  Framed_boxes() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
+    QColor frame = option->palette.color(QPalette::PlaceholderText);
+    constexpr double faint = 0.7;
+    frame.setAlphaF(faint);
+    const QPen before = painter->pen();
+    painter->setPen(frame);
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->setPen(before);
+  }
+};
+
 /// Relative luminance after WCAG 2.
 double luminance(Color color) {
   const auto linear = [](std::uint8_t component) {
@@ -69,7 +91,11 @@ Theme_switch::Theme_switch() : system_style_(QApplication::style()->name()), sys
 
 void Theme_switch::apply(Theme theme) {
   theme_ = theme;
-  QApplication::setStyle(theme == Theme::system ? system_style_ : QStringLiteral("Fusion"));
+  if (theme == Theme::system) {
+    QApplication::setStyle(system_style_);
+  } else {
+    QApplication::setStyle(std::make_unique<Framed_boxes>().release());  // which owns it
+  }
   QApplication::setPalette(theme == Theme::light  ? palette_of(light_tones)
                            : theme == Theme::dark ? palette_of(dark_tones)
                                                   : system_palette_);

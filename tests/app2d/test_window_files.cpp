@@ -141,12 +141,19 @@ TEST_F(Files, ExamplesOpen) {
 
 TEST_F(Files, OpensTheFilesLayersAndSettingsOfTheCommandLine) {
   const QString path = write("square.wkt", "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
-  open_window({{path.toStdString()}, {"outline", "delaunay"}, Settings().with("sampling-step", 0.1)});
+  Style faint;
+  faint.opacity = 0.25;
+  open_window({{path.toStdString()},
+               {"outline", "delaunay"},
+               Settings().with("sampling-step", 0.1),
+               {{"delaunay", faint}, {"voronoi", faint}}});
   ASSERT_TRUE(wait_until([&] { return document().inputs().get(outline_input) != nullptr; }));
   EXPECT_FALSE(window().actions()["undo"]->isEnabled());
   EXPECT_TRUE(wait_until_current("delaunay"));
   for (const Layer_entry& entry : document().layers())
     EXPECT_EQ(entry.style.visible, entry.id == "outline" || entry.id == "delaunay") << entry.id;
+  for (const Layer_entry& entry : document().layers())
+    EXPECT_EQ(entry.style.opacity == 0.25, entry.id == "voronoi" || entry.id == "delaunay") << entry.id;
   EXPECT_EQ(*document().settings().find("sampling-step"), Setting_value(0.1));
   EXPECT_EQ(document().inputs().get(points_input), nullptr);
   EXPECT_EQ(window().layer_panel().selected(), QStringList("delaunay"));
