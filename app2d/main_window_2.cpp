@@ -32,26 +32,18 @@ namespace mesecina {
 
 namespace {
 
-Document_state first_state(const Registry& registry, const Startup& startup) {
+Document_state first_state_2(const Registry& registry, const Startup& startup) {
   constexpr std::size_t samples = 120;
   constexpr double size = 100;
-  Document_state state{{}, startup.settings, {}};
-  if (startup.files.empty()) state.inputs = state.inputs.with(points_input, wiggly_curve(samples, size));
-  if (startup.layers.empty()) {
-    state.layers = first_look(registry, state.inputs);
-  } else {
-    state.layers = default_layers(registry);
-    for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
-  }
-  apply_styles(startup, state.layers);
-  return state;
+  return first_state(registry, startup, Inputs().with(points_input, wiggly_curve(samples, size)),
+                     [&](const Inputs& inputs) { return first_look(registry, inputs); });
 }
 
 }  // namespace
 
 Main_window_2::Main_window_2(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup)
     : Program_window(
-          QStringLiteral("mesecina2d"), registry, std::move(formats), first_state(*registry, startup),
+          QStringLiteral("mesecina2d"), registry, std::move(formats), first_state_2(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at(*registry, inputs, layers); }) {
   load_icons();
   setWindowIcon(QIcon(QStringLiteral(":/icons/org.mesecina.mesecina2d.svg")));

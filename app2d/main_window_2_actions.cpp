@@ -99,36 +99,10 @@ void Main_window_2::make_edit_actions() {
       "complete-outline", tr("Close the outline"), tr("Close the outline that is being drawn"),
       {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)}, [this] { tool_->complete(); }, canvas_);
 
-  struct Direction {
-    const char* id;
-    QString text;
-    Qt::Key key;
-    int x;
-    int y;
-  };
-  const Direction directions[] = {{"nudge-left", tr("Nudge left"), Qt::Key_Left, -1, 0},
-                                  {"nudge-right", tr("Nudge right"), Qt::Key_Right, 1, 0},
-                                  {"nudge-up", tr("Nudge up"), Qt::Key_Up, 0, 1},
-                                  {"nudge-down", tr("Nudge down"), Qt::Key_Down, 0, -1}};
-  constexpr int far_pixels = 10;
-  for (const Direction& direction : directions) {
-    const auto nudge = [this, direction](int pixels) {
-      const double step = pixels / canvas_->view().scale;
-      editor_->nudge(direction.x * step, direction.y * step);
-    };
-    add(
-        direction.id, direction.text, tr("Move the selection by one pixel"), {QKeySequence(direction.key)},
-        [nudge] { nudge(1); }, canvas_);
-    actions_->add(group,
-                  {QLatin1String(direction.id) + QLatin1String("-far"),
-                   tr("%1 by 10").arg(direction.text),
-                   tr("Move the selection by ten pixels"),
-                   {QKeySequence(Qt::SHIFT | direction.key)},
-                   {},
-                   false,
-                   canvas_},
-                  [nudge] { nudge(far_pixels); });
-  }
+  make_nudge_actions([this](int right, int up) {
+    const double step = 1 / canvas_->view().scale;
+    editor_->nudge(right * step, up * step);
+  });
 }
 
 void Main_window_2::make_tool_actions() {

@@ -16,25 +16,17 @@ namespace mesecina {
 
 namespace {
 
-Document_state first_state(const Registry& registry, const Startup& startup) {
+Document_state first_state_3(const Registry& registry, const Startup& startup) {
   constexpr int segments = 96;
-  Document_state state{{}, startup.settings, {}};
-  if (startup.files.empty()) state.inputs = state.inputs.with(mesh_input, twisted_ring(segments));
-  if (startup.layers.empty()) {
-    state.layers = first_look_3(registry, state.inputs);
-  } else {
-    state.layers = default_layers(registry);
-    for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
-  }
-  apply_styles(startup, state.layers);
-  return state;
+  return first_state(registry, startup, Inputs().with(mesh_input, twisted_ring(segments)),
+                     [&](const Inputs& inputs) { return first_look_3(registry, inputs); });
 }
 
 }  // namespace
 
 Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Formats formats, const Startup& startup)
     : Program_window(
-          QStringLiteral("mesecina3d"), registry, std::move(formats), first_state(*registry, startup),
+          QStringLiteral("mesecina3d"), registry, std::move(formats), first_state_3(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at_3(*registry, inputs, layers); }) {
   build_canvas();
   editor_ = new Editor_3(document_, this);

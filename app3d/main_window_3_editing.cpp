@@ -72,33 +72,13 @@ void Main_window_3::make_edit_actions() {
         if (popover_) popover_->dismiss();
         open_popover(open_transform_popover_3(*editor_, canvas_));
       });
-  struct Direction {
-    const char* id;
-    QString text;
-    Qt::Key key;
-    int right;
-    int up;
-  };
-  const Direction directions[] = {{"nudge-left", tr("Nudge left"), Qt::Key_Left, -1, 0},
-                                  {"nudge-right", tr("Nudge right"), Qt::Key_Right, 1, 0},
-                                  {"nudge-up", tr("Nudge up"), Qt::Key_Up, 0, 1},
-                                  {"nudge-down", tr("Nudge down"), Qt::Key_Down, 0, -1}};
-  constexpr int far_pixels = 10;
-  for (const Direction& direction : directions) {
-    const auto nudge = [this, direction](int pixels) {
-      if (!viewer_) return;
-      const Camera_3 camera = viewer_->view().camera;
-      const Camera_3::Axes axes = camera.axes();
-      const double step = pixels * camera.height_at_target() / std::max(1, viewer_->height());
-      editor_->nudge((direction.right * step) * axes.right + (direction.up * step) * axes.up);
-    };
-    add(
-        direction.id, direction.text, tr("Move the selection by one pixel across the line of sight"),
-        {QKeySequence(direction.key)}, [nudge] { nudge(1); }, canvas_);
-    add((direction.id + std::string("-far")).c_str(), tr("%1 by 10").arg(direction.text),
-        tr("Move the selection by ten pixels across the line of sight"), {QKeySequence(Qt::SHIFT | direction.key)},
-        [nudge] { nudge(far_pixels); }, canvas_);
-  }
+  make_nudge_actions([this](int right, int up) {
+    if (!viewer_) return;
+    const Camera_3 camera = viewer_->view().camera;
+    const Camera_3::Axes axes = camera.axes();
+    const double step = camera.height_at_target() / std::max(1, viewer_->height());
+    editor_->nudge((right * step) * axes.right + (up * step) * axes.up);
+  });
 }
 
 void Main_window_3::make_tool_actions() {

@@ -177,6 +177,35 @@ void Program_window::make_undo_actions(const QIcon& undo_icon, const QIcon& redo
           [redo](const QString& text) { redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text)); });
 }
 
+void Program_window::make_nudge_actions(const std::function<void(int right, int up)>& nudge) {
+  struct Direction {
+    const char* id;
+    QString text;
+    Qt::Key key;
+    int right;
+    int up;
+  };
+  const Direction directions[] = {{"nudge-left", tr("Nudge left"), Qt::Key_Left, -1, 0},
+                                  {"nudge-right", tr("Nudge right"), Qt::Key_Right, 1, 0},
+                                  {"nudge-up", tr("Nudge up"), Qt::Key_Up, 0, 1},
+                                  {"nudge-down", tr("Nudge down"), Qt::Key_Down, 0, -1}};
+  constexpr int far_pixels = 10;
+  const auto add = [&](const QString& id, const QString& text, const QString& tip, const QKeySequence& key,
+                       std::function<void()> run) {
+    actions_->add(tr("Edit"), {id, text, tip, {key}, {}, false, common_canvas_}, std::move(run));
+  };
+  for (const Direction& direction : directions) {
+    const QString id = QLatin1String(direction.id);
+    const int right = direction.right;
+    const int up = direction.up;
+    add(id, direction.text, tr("Move the selection by one pixel in the picture"), QKeySequence(direction.key),
+        [nudge, right, up] { nudge(right, up); });
+    add(id + QLatin1String("-far"), tr("%1 by 10").arg(direction.text),
+        tr("Move the selection by ten pixels in the picture"), QKeySequence(Qt::SHIFT | direction.key),
+        [nudge, right, up] { nudge(far_pixels * right, far_pixels * up); });
+  }
+}
+
 void Program_window::make_layer_actions() {
   const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key,
                        std::function<void()> run) {
@@ -263,14 +292,23 @@ void Program_window::connect_common() {
   connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
 }
 
-void apply_styles(const Startup& startup, Layer_list& layers) {
-  for (Layer_entry& entry : layers) {
+Document_state first_state(const Registry& registry, const Startup& startup, const Inputs& example,
+                           const std::function<Layer_list(const Inputs&)>& usual_layers) {
+  Document_state state{startup.files.empty() ? example : Inputs(), startup.settings, {}};
+  if (startup.layers.empty()) {
+    state.layers = usual_layers(state.inputs);
+  } else {
+    state.layers = default_layers(registry);
+    for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
+  }
+  for (Layer_entry& entry : state.layers) {
     const auto changed = startup.styles.find(entry.id);
     if (changed == startup.styles.end()) continue;
     const bool is_visible = entry.style.visible;
     entry.style = changed->second;
     entry.style.visible = is_visible;
   }
+  return state;
 }
 
 void Program_window::start(const Startup& startup, const QString& usual_layer) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -35,8 +36,10 @@ struct Startup {
       {};  ///< by layer: looks other than the usual ones; of `visible` `layers` decides
 };
 
-/// Gives layers the looks of `startup`.
-void apply_styles(const Startup& startup, Layer_list& layers);
+/// What the document starts with: the settings, layers and looks of `startup`; the inputs are the example's where it
+/// names no files. `usual_layers`: those for inputs, where it names none.
+Document_state first_state(const Registry& registry, const Startup& startup, const Inputs& example,
+                           const std::function<Layer_list(const Inputs&)>& usual_layers);
 
 /// What the windows of all programs have in common: a document that is computed in the background, panels of layers and
 /// settings around a canvas, messages, progress, files, themes. A program adds its canvas and what one can do with it.
@@ -72,6 +75,8 @@ class Program_window : public QMainWindow {
   void build_status_bar();
   void begin_actions();
   void make_undo_actions(const QIcon& undo_icon, const QIcon& redo_icon);
+  /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection.
+  void make_nudge_actions(const std::function<void(int right, int up)>& nudge);
   void make_layer_actions();
   /// Themes, background, full screen.
   void make_look_actions();

@@ -2,41 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Uses mesecina2d in a real window under a virtual X server with real mouse and key events, and checks what it saved.
 # Usage: real_window_test.sh PROGRAM
-set -euo pipefail
-
-program=$(realpath "$1")
-# Without -noreset the server starts anew when its last client ends, and refuses the next one meanwhile.
-if [ -z "${INSIDE_XVFB-}" ]; then
-  INSIDE_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$program"
-fi
-
-folder=$(mktemp -d)
-process=
-cleanup() {
-  [ -z "$process" ] || kill "$process" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap cleanup EXIT
-
-export XDG_CONFIG_HOME=$folder/config XDG_RUNTIME_DIR=$folder/run QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
-unset WAYLAND_DISPLAY MESECINA_CANVAS QT_SCALE_FACTOR MESECINA_NO_PROMPT
-mkdir -m 700 "$folder/run"
-
-fail() {
-  echo "real window: $1" >&2
-  exit 1
-}
-
-# wait_for SECONDS COMMAND...: until the command succeeds.
-wait_for() {
-  local tries=$(($1 * 10))
-  shift
-  for _ in $(seq "$tries"); do
-    if "$@" >/dev/null 2>&1; then return 0; fi
-    sleep 0.1
-  done
-  return 1
-}
+# shellcheck source=tests/real_window.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../real_window.sh"
 
 printf '0 0\n100 0\n100 60\n0 60\n' >"$folder/four.xy"
 "$program" "$folder/four.xy" >"$folder/output" 2>&1 &

@@ -2,40 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Uses mesecina3d in a real window under a virtual X server with real mouse and key events, and looks at the screen.
 # Usage: real_window_test.sh PROGRAM
-set -euo pipefail
-
-program=$(realpath "$1")
-if [ -z "${INSIDE_XVFB-}" ]; then
-  INSIDE_XVFB=1 exec xvfb-run -a -s "-screen 0 1280x800x24 -noreset" "$0" "$program"
-fi
-
-folder=$(mktemp -d)
-process=
-cleanup() {
-  [ -z "$process" ] || kill "$process" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap cleanup EXIT
-
-export XDG_CONFIG_HOME=$folder/config XDG_RUNTIME_DIR=$folder/run QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
-unset WAYLAND_DISPLAY QT_SCALE_FACTOR MESECINA_NO_PROMPT
-mkdir -m 700 "$folder/run"
-
-fail() {
-  echo "real window: $1" >&2
-  exit 1
-}
-
-# wait_for SECONDS COMMAND...: until the command succeeds.
-wait_for() {
-  local tries=$(($1 * 10))
-  shift
-  for _ in $(seq "$tries"); do
-    if "$@" >/dev/null 2>&1; then return 0; fi
-    sleep 0.1
-  done
-  return 1
-}
+# shellcheck source=tests/real_window.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../real_window.sh"
 
 # Three balls in a row along x.
 printf '%s\n' '-2 0 0 1' '0 0 0 1' '2 0 0 1' >"$folder/row.cin"
