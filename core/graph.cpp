@@ -296,6 +296,27 @@ Element_description Graph::describe(std::string_view layer_id, std::size_t eleme
   return description;
 }
 
+Outcome<Evolution_state> Graph::evolve(std::string_view evolution_id, std::uint64_t step, Progress& progress) {
+  const Evolution_spec* spec = registry().find_evolution(evolution_id);
+  if (!spec) throw std::out_of_range("no evolution '" + std::string(evolution_id) + "'");
+  state_->progress = &progress;
+  progress.check();
+  progress.begin_stage(evolution_id);
+  Context::Frame frame{nullptr, 0, evolution_id};
+  Context context(*this, frame);
+  try {
+    return {std::make_shared<const Evolution_state>(spec->step(context, {state_->inputs, state_->settings}, step)), {}};
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Unavailable& unavailable) {
+    return {nullptr, unavailable.what()};
+  } catch (const std::bad_alloc&) {
+    return {nullptr, std::string(out_of_memory_reason)};
+  } catch (const std::exception& error) {
+    return {nullptr, "internal error in '" + std::string(evolution_id) + "': " + error.what()};
+  }
+}
+
 bool Graph::is_current(std::string_view layer_id) {
   return state_->is_current(std::string(layer_prefix) + std::string(layer_id));
 }

@@ -86,6 +86,10 @@ class Graph {
   /// is out of range. Throws as `layer`.
   Element_description describe(std::string_view layer_id, std::size_t element, Progress& progress);
 
+  /// The state after step number `step` of an evolution from the present inputs and settings, which stay as they are;
+  /// or the reason why there is none. Throws as `layer`.
+  Outcome<Evolution_state> evolve(std::string_view evolution_id, std::uint64_t step, Progress& progress);
+
   /// True when `layer` would answer from what is kept, without computing.
   bool is_current(std::string_view layer_id);
 

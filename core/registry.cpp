@@ -52,14 +52,24 @@ void Registry::add_setting(Setting_spec setting) {
   settings_.push_back(std::move(setting));
 }
 
+void Registry::add_evolution(Evolution_spec evolution) {
+  if (modules_.empty()) throw std::logic_error("evolution '" + evolution.id + "' belongs to no module");
+  index_new(evolution_index_, evolutions_, evolution, "evolution");
+  module_index_["evolution:" + evolution.id] = modules_.size() - 1;
+  evolutions_.push_back(std::move(evolution));
+}
+
 const Layer_spec* Registry::find_layer(std::string_view id) const { return find_in(layer_index_, layers_, id); }
 const Setting_spec* Registry::find_setting(std::string_view id) const { return find_in(setting_index_, settings_, id); }
+const Evolution_spec* Registry::find_evolution(std::string_view id) const {
+  return find_in(evolution_index_, evolutions_, id);
+}
 const Structure_spec* Registry::find_structure(std::string_view id) const {
   return find_in(structure_index_, structures_, id);
 }
 
 const Module_spec* Registry::module_of(std::string_view id) const {
-  for (const char* kind : {"layer:", "setting:"})
+  for (const char* kind : {"layer:", "setting:", "evolution:"})
     if (const auto it = module_index_.find(kind + std::string(id)); it != module_index_.end())
       return &modules_[it->second];
   return nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -66,6 +67,25 @@ struct Layer_spec {
   std::function<Element_description(Context&, std::size_t element)> describe;
 };
 
+/// What an evolution changes step by step.
+struct Evolution_state {
+  Inputs inputs;
+  Settings settings;
+};
+
+/// A change of the data that can be repeated: every step makes a new state of the last one. Steps are pure: the same
+/// state, and the same number of the step, give the same next state.
+struct Evolution_spec {
+  std::string id;                     ///< kebab-case, unique
+  std::string label;                  ///< a few words
+  std::string help;                   ///< what a step does, and the paper
+  std::vector<std::string> settings;  ///< ids of those that a step reads, for the window
+  /// The state after step number `step` (1 for the first). The context has the structures, inputs and settings of the
+  /// state before, which is also `before`. Throws Unavailable where there is nothing to change; a state that equals
+  /// `before` (the same inputs by identity and the same settings) is the end of the evolution.
+  std::function<Evolution_state(Context&, const Evolution_state& before, std::uint64_t step)> step;
+};
+
 struct Module_spec {
   std::string id;
   std::string label;
@@ -104,16 +124,19 @@ class Registry {
   /// In space areas are filled by default: outlines alone hide nothing and are hard to read.
   void add_layer(Layer_spec layer);
   void add_setting(Setting_spec setting);
+  void add_evolution(Evolution_spec evolution);
 
   /// In the order of registration: the order of the panel, of --list and the default drawing order.
   const std::vector<Layer_spec>& layers() const { return layers_; }
   const std::vector<Setting_spec>& settings() const { return settings_; }
+  const std::vector<Evolution_spec>& evolutions() const { return evolutions_; }
   const std::vector<Module_spec>& modules() const { return modules_; }
   const std::vector<Structure_spec>& structures() const { return structures_; }
   const Layer_spec* find_layer(std::string_view id) const;
   const Setting_spec* find_setting(std::string_view id) const;
+  const Evolution_spec* find_evolution(std::string_view id) const;
   const Structure_spec* find_structure(std::string_view id) const;
-  /// Module of a layer or setting.
+  /// Module of a layer, setting or evolution.
   const Module_spec* module_of(std::string_view id) const;
 
   /// The cut of a layer under these settings; nullopt for layers without one.
@@ -129,9 +152,11 @@ class Registry {
   std::vector<Structure_spec> structures_;
   std::vector<Layer_spec> layers_;
   std::vector<Setting_spec> settings_;
+  std::vector<Evolution_spec> evolutions_;
   std::map<std::string, std::size_t, std::less<>> structure_index_;
   std::map<std::string, std::size_t, std::less<>> layer_index_;
   std::map<std::string, std::size_t, std::less<>> setting_index_;
+  std::map<std::string, std::size_t, std::less<>> evolution_index_;
   std::map<std::string, std::size_t, std::less<>> module_index_;
 };
 

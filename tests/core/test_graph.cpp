@@ -474,5 +474,41 @@ TEST_F(Graph_test, change_while_nobody_asked_is_noticed_later) {
   EXPECT_EQ(graph().computations("sum"), 2U);
 }
 
+TEST_F(Graph_test, a_step_of_an_evolution_reads_structures_and_changes_nothing) {
+  add_sum_and_product();
+  registry_->add_evolution(
+      {"shift", "Shift", "", {"factor"}, [](Context& context, const Evolution_state& before, std::uint64_t step) {
+         const double sum = *context.get(sum_key);
+         Evolution_state after = before;
+         after.inputs = before.inputs.with(points_input, Points{{sum + double(step), 0}});
+         after.settings = before.settings.with("factor", context.setting(factor) + 1);
+         return after;
+       }});
+  graph().set_inputs(with_points({{1, 0}, {2, 0}}));
+  Progress progress;
+  const auto after = graph().evolve("shift", 4, progress);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after.value->inputs.get(points_input)->front().x, 7);
+  EXPECT_EQ(std::get<double>(*after.value->settings.find("factor")), 3);
+  EXPECT_EQ(graph().inputs().get(points_input)->size(), 2U);
+  EXPECT_TRUE(graph().settings().changed().empty());
+}
+
+TEST_F(Graph_test, a_step_that_cannot_be_done_says_why) {
+  registry_->add_evolution(
+      {"none", "None", "", {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
+         throw Unavailable("there are no points");
+       }});
+  registry_->add_evolution(
+      {"broken", "Broken", "", {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
+         throw std::runtime_error("oops");
+       }});
+  Progress progress;
+  EXPECT_EQ(graph().evolve("none", 1, progress).reason, "there are no points");
+  EXPECT_EQ(graph().evolve("broken", 1, progress).reason, "internal error in 'broken': oops");
+  EXPECT_THROW(graph().evolve("missing", 1, progress), std::out_of_range);
+  EXPECT_EQ(registry_->module_of("none")->id, "module");
+}
+
 }  // namespace
 }  // namespace mesecina
