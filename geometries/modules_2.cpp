@@ -5,6 +5,7 @@
 #include "geometries/crust_2/module.h"
 #include "geometries/delaunay_2/module.h"
 #include "geometries/dual_2/module.h"
+#include "geometries/evolutions_2/module.h"
 #include "geometries/inputs_2/module.h"
 #include "geometries/labels_2/module.h"
 #include "geometries/medial_axis_2/module.h"
@@ -32,6 +33,7 @@ std::shared_ptr<const Registry> make_registry_2() {
   register_dual_2(*registry);
   register_union_2(*registry);
   register_scale_axis_2(*registry);
+  register_evolutions_2(*registry);
   return registry;
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "core/batch/style_option.h"
+#include "core/evolution.h"
 #include "core/formats/number.h"
 
 namespace mesecina {
@@ -47,6 +48,12 @@ std::vector<std::string> setting_ids(const Registry& registry) {
   return ids;
 }
 
+std::vector<std::string> evolution_ids(const Registry& registry) {
+  std::vector<std::string> ids;
+  for (const Evolution_spec& evolution : registry.evolutions()) ids.push_back(evolution.id);
+  return ids;
+}
+
 std::vector<std::string> output_formats(const Formats& formats) {
   std::vector<std::string> names;
   for (const Layer_writer& writer : formats.layer_writers) names.push_back(writer.name);
@@ -76,6 +83,24 @@ Settings read_settings(const std::vector<std::string>& assignments, const Regist
     }
   }
   return settings;
+}
+
+std::vector<Evolution_order> read_evolutions(const std::vector<std::string>& orders, const Registry& registry) {
+  constexpr double most_steps = 1e9;
+  std::vector<Evolution_order> evolutions;
+  for (const std::string& order : orders) {
+    const auto equals = order.find('=');
+    if (equals == std::string::npos)
+      throw Usage_error("--evolve " + order + ": expected ID=STEPS; --list evolutions shows the ids");
+    const std::string id = order.substr(0, equals);
+    if (!registry.find_evolution(id)) refuse_unknown("evolution", id, evolution_ids(registry));
+    const double steps = parse_number(order.substr(equals + 1)).value_or(0);
+    if (!(steps >= 1 && steps <= most_steps) || steps != std::floor(steps))
+      throw Usage_error("--evolve " + id + ": expected a number of steps from 1 to 1000000000, found '" +
+                        order.substr(equals + 1) + "'");
+    evolutions.push_back({id, static_cast<std::uint64_t>(steps)});
+  }
+  return evolutions;
 }
 
 /// By layer, the default look with the changes made to it, in their order.
@@ -176,6 +201,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.set_version_flag("--version", program + " " MESECINA_VERSION);
   std::vector<std::string> files;
   std::vector<std::string> assignments;
+  std::vector<std::string> evolutions;
   std::string size = "1200x900";
   std::string view = "fit";
   std::string stats;
@@ -187,6 +213,9 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
+  app.add_option("--evolve", evolutions,
+                 "First goes steps of an evolution: ID=STEPS, repeatable, in order (--list evolutions)")
+      ->allow_extra_args(false);
   app.add_option("--style", result.style_changes,
                  "With --nogui, the look of a layer in pictures: LAYER.PROPERTY=VALUE, repeatable. Properties: " +
                      joined(style_properties()))
@@ -209,8 +238,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_flag("--resume", result.resume, "Skip inputs whose results are complete");
-  app.add_option("--list", list, "List layers, settings or formats")
-      ->check(CLI::IsMember({"layers", "settings", "formats"}));
+  app.add_option("--list", list, "List layers, settings, evolutions or formats")
+      ->check(CLI::IsMember({"layers", "settings", "evolutions", "formats"}));
   app.add_flag("--json", result.list_as_json, "With --list: as JSON");
   app.add_option("--seed", result.seed, "Seed of everything random")->capture_default_str();
   app.add_option("--threads", result.threads,
@@ -238,6 +267,10 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
     result.settings = read_settings(assignments, registry);
+    if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&
+        !result.settings.find(evolution_seed_setting.id))
+      result.settings = result.settings.with(evolution_seed_setting.id, static_cast<std::int64_t>(result.seed));
+    result.evolutions = read_evolutions(evolutions, registry);
     result.styles = read_styles(result.style_changes, registry, color_maps);
     if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);

@@ -23,11 +23,20 @@ inline constexpr int exit_some_failed = 1;
 inline constexpr int exit_wrong_usage = 2;
 inline constexpr int exit_interrupted = 130;  ///< by SIGINT or SIGTERM
 
+/// An evolution and how many of its steps.
+struct Evolution_order {
+  std::string id;
+  std::uint64_t steps = 1;
+  bool operator==(const Evolution_order&) const = default;
+};
+
 struct Command_line {
   bool nogui = false;
   std::vector<std::filesystem::path> files;
   std::vector<std::string> layers;  ///< known ids; empty: those visible by default
   Settings settings;
+  /// What becomes of the inputs, one after the other, before layers are computed.
+  std::vector<Evolution_order> evolutions;
   std::map<std::string, Style> styles;     ///< by layer: the looks in pictures that were changed from their defaults
   std::vector<std::string> style_changes;  ///< as they were given: LAYER.PROPERTY=VALUE
   bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
@@ -54,13 +63,13 @@ struct Early_exit {
   std::string text;  ///< to stdout if the code is 0, else to stderr
 };
 
-/// Reads the command line. Unknown layers, settings, formats, properties of styles and colour maps (known are those
-/// named by `color_maps`) give exit_wrong_usage with the nearest known name.
+/// Reads the command line. Unknown layers, settings, evolutions, formats, properties of styles and colour maps (known
+/// are those named by `color_maps`) give exit_wrong_usage with the nearest known name.
 std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
                                                           const Registry& registry, const Formats& formats,
                                                           const std::vector<std::string>& color_maps);
 
-/// Text of --list WHAT: layers, settings or formats.
+/// Text of --list WHAT: layers, settings, evolutions or formats.
 std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats);
 
 }  // namespace mesecina

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/batch/scene.h"
+#include "core/evolution.h"
 
 namespace mesecina {
 
@@ -77,6 +78,7 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
   json["transparent"] = command_line_.transparent_background;
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
+  for (const Evolution_order& order : command_line_.evolutions) json["evolutions"].push_back({order.id, order.steps});
   json["styles"] = command_line_.style_changes;
   json["as-listed"] = command_line_.as_listed;
   json["seed"] = command_line_.seed;
@@ -104,7 +106,7 @@ std::optional<std::string> Input_runner::find_complete(const fs::path& file) con
 }
 
 void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& progress, Input_statistics& statistics) {
-  const auto settings = all_settings(*registry_, command_line_.settings);
+  const auto settings = all_settings(*registry_, graph.settings());
   double write_seconds = 0;
   const bool wants_pictures = std::ranges::any_of(
       command_line_.formats, [&](const std::string& name) { return formats_.find_picture_writer(name) != nullptr; });
@@ -113,7 +115,7 @@ void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& pr
     const Outcome<Primitive_set> outcome = graph.layer(id, progress);
     if (outcome.reason == out_of_memory_reason) throw std::bad_alloc();
     std::shared_ptr<const Primitive_set> primitives = outcome.value;
-    const auto cut = registry_->cut(*registry_->find_layer(id), command_line_.settings);
+    const auto cut = registry_->cut(*registry_->find_layer(id), graph.settings());
     if (primitives && cut) primitives = std::make_shared<const Primitive_set>(apply_cut(*primitives, *cut));
     for (const std::string& warning : graph.warnings(id))
       if (std::ranges::find(statistics.warnings, warning) == statistics.warnings.end())
@@ -135,7 +137,8 @@ void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& pr
     if (wants_pictures) kept[id] = std::move(primitives);
   }
   const auto start = Clock::now();
-  write_pictures(file, make_scene(*registry_, command_line_, [&](const std::string& id) { return kept[id]; }),
+  const auto find_kept = [&](const std::string& id) { return kept[id]; };
+  write_pictures(file, make_scene(*registry_, command_line_, graph.settings(), find_kept),
                  bounding_box(graph.inputs()));
   statistics.seconds["write"] = write_seconds + seconds_since(start);
 }
@@ -169,6 +172,23 @@ void Input_runner::write_pictures(const fs::path& file, const Scene& scene, cons
   }
 }
 
+Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress, Input_statistics& statistics) const {
+  // A graph of its own: what is left of earlier steps must not be found in the order of results.
+  Graph graph(registry_);
+  graph.set_inputs(std::move(state.inputs));
+  graph.set_settings(std::move(state.settings));
+  for (const auto& [id, steps] : command_line_.evolutions) {
+    const auto start = Clock::now();
+    Evolution_result result = evolve(graph, id, steps, progress);
+    if (result.end_reason == out_of_memory_reason) throw std::bad_alloc();
+    if (result.steps_done < steps)
+      statistics.warnings.push_back("evolution " + id + ": " + std::to_string(result.steps_done) + " of " +
+                                    std::to_string(steps) + " steps: " + result.end_reason);
+    statistics.evolutions.push_back({id, result.steps_done, std::move(result.end_reason), seconds_since(start)});
+  }
+  return {graph.inputs(), graph.settings()};
+}
+
 Input_statistics Input_runner::compute(const fs::path& file, int threads, std::stop_token stop) {
   Input_statistics statistics;
   statistics.input = file.string();
@@ -179,11 +199,13 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, std::s
     statistics.seconds["read"] = seconds_since(start);
     statistics.warnings = std::move(contents.warnings);
     statistics.counts = count_inputs(contents.inputs);
-    Graph graph(registry_);
-    graph.set_inputs(std::move(contents.inputs));
-    graph.set_settings(command_line_.settings);
     Progress progress(std::move(stop), {}, threads);
     folder_.begin(file);
+    Evolution_state state{std::move(contents.inputs), command_line_.settings};
+    if (!command_line_.evolutions.empty()) state = evolved(std::move(state), progress, statistics);
+    Graph graph(registry_);
+    graph.set_inputs(std::move(state.inputs));
+    graph.set_settings(std::move(state.settings));
     write_layers(file, graph, progress, statistics);
     for (const Graph::Stage& stage : graph.stages()) statistics.seconds[stage.id] += stage.seconds;
     statistics.errors = graph.measures();

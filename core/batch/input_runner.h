@@ -29,6 +29,8 @@ class Input_runner {
   Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop);
 
  private:
+  /// What the evolutions of the command line make of a state.
+  Evolution_state evolved(Evolution_state state, Progress& progress, Input_statistics& statistics) const;
   void write_layers(const std::filesystem::path& file, Graph& graph, Progress& progress, Input_statistics& statistics);
   void warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
                              Input_statistics& statistics) const;

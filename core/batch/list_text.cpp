@@ -46,6 +46,14 @@ Json list_settings(const Registry& registry) {
   return list;
 }
 
+Json list_evolutions(const Registry& registry) {
+  Json list = Json::array();
+  for (const Evolution_spec& evolution : registry.evolutions())
+    list.push_back(
+        {{"id", evolution.id}, {"label", evolution.label}, {"settings", evolution.settings}, {"help", evolution.help}});
+  return list;
+}
+
 Json list_formats(const Formats& formats) {
   Json list = Json::array();
   for (const Reader& reader : formats.readers) {
@@ -76,9 +84,10 @@ std::string range_text(const Setting_spec& setting) {
 
 std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats) {
   if (as_json) {
-    const Json list = what == "layers"     ? list_layers(registry)
-                      : what == "settings" ? list_settings(registry)
-                                           : list_formats(formats);
+    const Json list = what == "layers"       ? list_layers(registry)
+                      : what == "settings"   ? list_settings(registry)
+                      : what == "evolutions" ? list_evolutions(registry)
+                                             : list_formats(formats);
     return list.dump(2) + "\n";
   }
   std::string text;
@@ -91,6 +100,9 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
   } else if (what == "settings") {
     for (const Setting_spec& setting : registry.settings())
       text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + setting.help + "\n";
+  } else if (what == "evolutions") {
+    for (const Evolution_spec& evolution : registry.evolutions())
+      text += padded(evolution.id, 22) + evolution.help + "\n";
   } else {
     for (const Reader& reader : formats.readers) {
       std::string extensions;

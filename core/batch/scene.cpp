@@ -13,7 +13,7 @@ std::vector<std::string> shown_layers(const Registry& registry, const Command_li
   return ids;
 }
 
-Scene make_scene(const Registry& registry, const Command_line& command_line,
+Scene make_scene(const Registry& registry, const Command_line& command_line, const Settings& settings,
                  const std::function<std::shared_ptr<const Primitive_set>(const std::string&)>& primitives) {
   const std::vector<std::string> ids = shown_layers(registry, command_line);
   std::vector<const Layer_spec*> layers;
@@ -30,7 +30,7 @@ Scene make_scene(const Registry& registry, const Command_line& command_line,
   scene.transparent_background = command_line.transparent_background;
   for (const Layer_spec* layer : layers) {
     const auto changed = command_line.styles.find(layer->id);
-    Scene_layer entry{layer->id, layer->label, primitives(layer->id), registry.cut(*layer, command_line.settings),
+    Scene_layer entry{layer->id, layer->label, primitives(layer->id), registry.cut(*layer, settings),
                       changed == command_line.styles.end() ? layer->style : changed->second};
     entry.style.visible = true;
     scene.layers.push_back(std::move(entry));

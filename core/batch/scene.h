@@ -14,8 +14,8 @@ namespace mesecina {
 std::vector<std::string> shown_layers(const Registry& registry, const Command_line& command_line);
 
 /// The layers that a picture shows: shown_layers, each once, in the order that the command line asks for and with the
-/// looks that it gives them.
-Scene make_scene(const Registry& registry, const Command_line& command_line,
+/// looks that it gives them. The limits of layers are those of `settings`.
+Scene make_scene(const Registry& registry, const Command_line& command_line, const Settings& settings,
                  const std::function<std::shared_ptr<const Primitive_set>(const std::string&)>& primitives);
 
 }  // namespace mesecina

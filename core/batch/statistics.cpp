@@ -41,6 +41,11 @@ std::string to_json_line(const Input_statistics& statistics) {
   json["seconds"] = statistics.seconds;
   json["peak_rss_bytes"] = peak_memory();
   json["counts"] = statistics.counts;
+  for (const Evolution_statistics& evolution : statistics.evolutions) {
+    Json entry{{"id", evolution.id}, {"steps", evolution.steps}, {"seconds", evolution.seconds}};
+    if (!evolution.end_reason.empty()) entry["reason"] = evolution.end_reason;
+    json["evolutions"].push_back(std::move(entry));
+  }
   json["layers"] = Json::object();
   for (const auto& [id, text] : statistics.layers) json["layers"][id] = Json::parse(text);
   if (!statistics.errors.empty()) json["error"] = statistics.errors;

@@ -11,12 +11,21 @@
 
 namespace mesecina {
 
+/// What came of one --evolve.
+struct Evolution_statistics {
+  std::string id;
+  std::uint64_t steps = 0;  ///< that were done
+  std::string end_reason;   ///< why there were fewer than asked for; empty if there were not
+  double seconds = 0;
+};
+
 /// What --stats says of one input.
 struct Input_statistics {
   std::string input;
   bool failed = false;
   std::string reason;
   std::map<std::string, double> seconds;                    ///< "total", "read", "write", and one per stage
+  std::vector<Evolution_statistics> evolutions;             ///< in the order of the command line
   std::map<std::string, std::uint64_t> counts;              ///< of the input
   std::vector<std::pair<std::string, std::string>> layers;  ///< id and its JSON object
   std::map<std::string, double> errors;                     ///< reached, relative to the diagonal

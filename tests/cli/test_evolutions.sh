@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# --evolve: steps that inputs go before layers are computed.
+. "$(dirname "$0")/common.sh" "$@"
+giraffe=$examples/giraffe.wkt
+length_of() { jq '.vertices as $v | [$v, $v[1:] + $v[:1]] | transpose | map(((.[0][0] - .[1][0]) as $x
+  | (.[0][1] - .[1][1]) as $y | $x * $x + $y * $y) | sqrt) | add' "$1"; }
+longer() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > b) }'; }
+
+succeed --list evolutions
+expect_in stdout laplacian-smoothing
+succeed --list evolutions --json
+expect_json stdout '.[0] | all(.[]; (.id | test("^[a-z0-9-]+$")) and .label != "" and (.help | length) > 20)'
+
+succeed --nogui "$giraffe" --layers outline --output plain --stats
+succeed --nogui "$giraffe" --layers outline --output five --evolve laplacian-smoothing=5 --stats
+longer "$(length_of plain/giraffe.outline.json)" "$(length_of five/giraffe.outline.json)" ||
+  fail "expected the outline to be shorter when smooth"
+expect_json plain/stats.jsonl '.[0] | has("evolutions") | not'
+expect_json five/stats.jsonl '.[0].evolutions | length == 1 and .[0].id == "laplacian-smoothing"
+  and .[0].steps == 5 and .[0].seconds >= 0 and (.[0] | has("reason") | not)'
+
+# Twice some steps are their sum, bytes and all; on several inputs and jobs as well.
+succeed --nogui "$giraffe" --layers outline,scale-axis --output five --evolve laplacian-smoothing=5 --formats json,svg
+succeed --nogui "$giraffe" "$examples/italy.wkt" --layers outline,scale-axis --output again --jobs 2 \
+  --evolve laplacian-smoothing=2 --evolve laplacian-smoothing=3 --formats json,svg
+rm -r again/italy.* {five,again}/.mesecina five/stats.jsonl five/summary.csv
+expect_same five again
+
+# Steps that cannot be gone are told; what was reached is written.
+printf '0 0\n5 5\n' >two.xy
+succeed --nogui two.xy --layers points --output short --evolve laplacian-smoothing=5 --stats
+expect_in stderr "evolution laplacian-smoothing: 0 of 5 steps: no point has exactly two neighbours"
+expect_json short/stats.jsonl '.[0].evolutions[0] | .steps == 0 and (.reason | length > 0)'
+expect_json short/two.points.json '.[0].points | length == 2'
+
+# What --resume finds of another number of steps is not what is asked for.
+succeed --nogui "$giraffe" --layers outline --output resumed --resume --evolve laplacian-smoothing=1 --log info
+succeed --nogui "$giraffe" --layers outline --output resumed --resume --evolve laplacian-smoothing=1 --log info
+expect_in stderr "skipped"
+succeed --nogui "$giraffe" --layers outline --output resumed --resume --evolve laplacian-smoothing=2 --log info
+expect_not_in stderr "skipped"
+
+run --nogui "$giraffe" --evolve laplacian-smooting=5
+expect_status 2
+expect_in stderr "did you mean 'laplacian-smoothing'?"
+run --nogui "$giraffe" --evolve laplacian-smoothing
+expect_status 2
+expect_in stderr "ID=STEPS"
