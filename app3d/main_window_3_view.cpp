@@ -77,6 +77,7 @@ void Main_window_3::make_view_actions() {
   make_plane_actions();
   make_path_actions();
   make_layer_actions();
+  make_settings_actions();
   make_look_actions();
 }
 

@@ -120,8 +120,10 @@ QDockWidget* Program_window::add_dock(const QString& name, const QString& title,
 void Program_window::build_panels() {
   layer_panel_ = new Layer_panel(registry_, this);
   settings_panel_ = new Settings_panel(registry_, this);
+  settings_browser_ = new Settings_browser(settings_panel_, this);
   layers_dock_ = add_dock(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
-  settings_dock_ = add_dock(QStringLiteral("settings-dock"), tr("Settings"), settings_panel_, Qt::RightDockWidgetArea);
+  settings_dock_ =
+      add_dock(QStringLiteral("settings-dock"), tr("Settings"), settings_browser_, Qt::RightDockWidgetArea);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   constexpr int left_width = 300;
   constexpr int right_width = 260;
@@ -221,6 +223,26 @@ void Program_window::make_layer_actions() {
     layers_dock_->show();
     layer_panel_->focus_filter();
   });
+}
+
+void Program_window::make_settings_actions() {
+  const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key,
+                       std::function<void()> run) {
+    return actions_->add(tr("Settings"), {QLatin1String(id), text, tip, {key}}, std::move(run));
+  };
+  add("find-setting", tr("Find a se&tting"), tr("Type a part of its name or of what it does"),
+      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), [this] {
+        settings_dock_->show();
+        settings_dock_->raise();
+        settings_browser_->search({});
+      });
+  QAction* reset_listed = add("reset-listed-settings", tr("Reset &listed settings"),
+                              tr("Give the settings that are listed their defaults"), {}, [this] {
+                                Settings settings = document_.settings();
+                                for (const std::string& id : settings_panel_->listed()) settings = settings.without(id);
+                                document_.edit_settings(settings, tr("Reset settings"));
+                              });
+  settings_browser_->set_menu_actions({reset_listed});
 }
 
 void Program_window::make_look_actions() {
@@ -366,10 +388,14 @@ void Program_window::show_document(const Document_change& change) {
 void Program_window::edit_cut(const QString& setting, double value, const QString& merge) {
   const Setting_spec* spec = registry_->find_setting(setting.toStdString());
   if (!spec) return;
-  Setting_value typed = value;
-  if (std::holds_alternative<std::int64_t>(spec->default_value)) typed = static_cast<std::int64_t>(value);
-  document_.edit_settings(typed == spec->default_value ? document_.settings().without(spec->id)
-                                                       : document_.settings().with(spec->id, typed),
+  const auto* whole = std::get_if<std::int64_t>(&spec->default_value);
+  const auto* number = std::get_if<double>(&spec->default_value);
+  const Settings& settings = document_.settings();
+  const auto rounded = static_cast<std::int64_t>(value);
+  const bool is_default = whole ? *whole == rounded : number && *number == value;
+  document_.edit_settings(is_default ? settings.without(spec->id)
+                          : whole    ? settings.with(spec->id, rounded)
+                                     : settings.with(spec->id, value),
                           QString::fromStdString(spec->label), merge);
 }
 

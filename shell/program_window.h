@@ -17,6 +17,7 @@
 #include "shell/message_bar.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
+#include "shell/settings_browser.h"
 #include "shell/settings_panel.h"
 #include "shell/status_progress.h"
 #include "shell/theme.h"
@@ -78,6 +79,8 @@ class Program_window : public QMainWindow {
   /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection.
   void make_nudge_actions(const std::function<void(int right, int up)>& nudge);
   void make_layer_actions();
+  /// To find and reset settings.
+  void make_settings_actions();
   /// Themes, background, full screen.
   void make_look_actions();
   void add_look_menus(QMenu* view) const;
@@ -119,6 +122,7 @@ class Program_window : public QMainWindow {
   Actions* actions_ = nullptr;
   Layer_panel* layer_panel_ = nullptr;
   Settings_panel* settings_panel_ = nullptr;
+  Settings_browser* settings_browser_ = nullptr;
   QDockWidget* layers_dock_ = nullptr;
   QDockWidget* settings_dock_ = nullptr;
   Recent_files* recent_files_ = nullptr;

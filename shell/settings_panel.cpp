@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "layers/number_field.h"
 
@@ -84,11 +85,12 @@ Settings_panel::Settings_panel(std::shared_ptr<const Registry> registry, QWidget
   column->setContentsMargins(em / 2, em / 2, em / 2, em / 2);
   column->setSpacing(em / 3);
   const Module_spec* group = nullptr;
+  QLabel* heading = nullptr;
   for (const Setting_spec& spec : registry_->settings()) {
     const Module_spec* module = registry_->module_of(spec.id);
     if (module != group && module) {
-      if (group) column->addSpacing(em / 2);
-      auto* heading = new QLabel(text_of(module->label), content);
+      heading = new QLabel(text_of(module->label), content);
+      if (group) heading->setContentsMargins(0, em / 2, 0, 0);
       heading->setToolTip(text_of(module->help));
       QFont bold = heading->font();
       bold.setBold(true);
@@ -96,14 +98,19 @@ Settings_panel::Settings_panel(std::shared_ptr<const Registry> registry, QWidget
       column->addWidget(heading);
     }
     group = module;
-    add_row(spec, column);
+    add_row(spec, column, heading);
   }
+  nothing_ = new QLabel(tr("No setting has these words."), content);
+  nothing_->setForegroundRole(QPalette::PlaceholderText);
+  nothing_->setWordWrap(true);
+  nothing_->hide();
+  column->addWidget(nothing_);
   column->addStretch(1);
   setWidget(content);
   set_settings({});
 }
 
-void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column) {
+void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column, QWidget* heading) {
   Row row;
   QWidget* editor = std::holds_alternative<bool>(spec.default_value)          ? make_switch(spec, row)
                     : std::holds_alternative<std::string>(spec.default_value) ? make_text(spec, row)
@@ -117,11 +124,18 @@ void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column) {
   keep.setRetainSizeWhenHidden(true);
   row.reset->setSizePolicy(keep);
   connect(row.reset, &QToolButton::clicked, this, [this, &spec] { change(spec, spec.default_value, {}); });
-  auto* line = new QHBoxLayout;
+  row.line = new QWidget(this);
+  auto* line = new QHBoxLayout(row.line);
+  line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(fontMetrics().height() / 4);
   line->addWidget(editor, 1);
   line->addWidget(row.reset, 0, Qt::AlignTop);
-  column->addLayout(line);
+  column->addWidget(row.line);
+  row.heading = heading;
+  const Module_spec* module = registry_->module_of(spec.id);
+  row.words = text_of(spec.id + ' ' + spec.label + ' ' + spec.help + ' ' + spec.unit + ' ' +
+                      (module ? module->label : std::string()));
+  for (const std::string& tag : spec.tags) row.words += QLatin1Char(' ') + text_of(tag);
   rows_.emplace(spec.id, std::move(row));
 }
 
@@ -245,6 +259,41 @@ void Settings_panel::set_settings(const Settings& settings) {
     row.show(registry_->value(settings, id));
     row.reset->setVisible(settings.find(id) != nullptr);
   }
+  if (changed_only_) apply_filter();
+}
+
+void Settings_panel::set_filter(const QString& words, bool changed_only) {
+  filter_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  changed_only_ = changed_only;
+  apply_filter();
+}
+
+bool Settings_panel::is_listed(const std::string& id, const Row& row) const {
+  if (changed_only_ && settings_.find(id) == nullptr) return false;
+  return std::ranges::all_of(filter_,
+                             [&](const QString& word) { return row.words.contains(word, Qt::CaseInsensitive); });
+}
+
+void Settings_panel::apply_filter() {
+  std::set<QWidget*> headings;
+  for (const auto& [id, row] : rows_) {
+    const bool is_shown = is_listed(id, row);
+    row.line->setVisible(is_shown);
+    if (is_shown) headings.insert(row.heading);
+  }
+  for (const auto& [id, row] : rows_)
+    if (row.heading) row.heading->setVisible(headings.contains(row.heading));
+  nothing_->setText(changed_only_ && filter_.isEmpty() ? tr("All settings have their defaults.")
+                                                       : tr("No setting has these words."));
+  nothing_->setVisible(headings.empty());
+}
+
+std::vector<std::string> Settings_panel::listed() const {
+  std::vector<std::string> ids;
+  for (const Setting_spec& spec : registry_->settings())
+    if (const auto it = rows_.find(spec.id); it != rows_.end() && is_listed(spec.id, it->second))
+      ids.push_back(spec.id);
+  return ids;
 }
 
 void Settings_panel::set_slider_maximum(const std::string& setting, double maximum) {

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <QScrollArea>
+#include <QStringList>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/registry.h"
 
+class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
@@ -24,6 +27,11 @@ class Settings_panel : public QScrollArea {
   void set_settings(const Settings& settings);
   /// How far the slider of a setting goes, though never beyond the bound of the setting. Larger numbers can be typed.
   void set_slider_maximum(const std::string& setting, double maximum);
+  /// Lists only settings with all these words in their label, id, help, unit or module; with `changed_only` only those
+  /// that differ from their defaults.
+  void set_filter(const QString& words, bool changed_only);
+  /// The ids of those that are listed, from top to bottom.
+  std::vector<std::string> listed() const;
 
  Q_SIGNALS:
   /// `merge` is the same for all steps of one drag.
@@ -34,8 +42,13 @@ class Settings_panel : public QScrollArea {
     std::function<void(const Setting_value&)> show;
     std::function<void(double)> set_slider_maximum;
     QToolButton* reset = nullptr;
+    QWidget* line = nullptr;  ///< all of it
+    QString words;            ///< that it is found by
+    QWidget* heading = nullptr;
   };
-  void add_row(const Setting_spec& spec, QVBoxLayout* column);
+  void add_row(const Setting_spec& spec, QVBoxLayout* column, QWidget* heading);
+  bool is_listed(const std::string& id, const Row& row) const;
+  void apply_filter();
   QWidget* make_switch(const Setting_spec& spec, Row& row);
   QWidget* make_text(const Setting_spec& spec, Row& row);
   QWidget* make_number(const Setting_spec& spec, Row& row);
@@ -44,7 +57,10 @@ class Settings_panel : public QScrollArea {
   std::shared_ptr<const Registry> registry_;
   Settings settings_;
   std::map<std::string, Row> rows_;
-  int gesture_ = 0;  ///< numbers the drags: one is one step of undo
+  QStringList filter_;
+  bool changed_only_ = false;
+  QLabel* nothing_ = nullptr;  ///< shown when no setting is listed
+  int gesture_ = 0;            ///< numbers the drags: one is one step of undo
 };
 
 }  // namespace mesecina

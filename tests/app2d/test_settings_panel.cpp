@@ -9,6 +9,7 @@
 
 #include "core/graph.h"
 #include "layers/number_field.h"
+#include "shell/settings_browser.h"
 #include "shell/settings_panel.h"
 
 namespace mesecina {
@@ -115,6 +116,42 @@ TEST_F(Panel, ASliderMayEndBeforeTheBoundButNotBeyond) {
   panel.set_slider_maximum("limit", 1000);
   named<QSlider>("Slider of Limit")->setValue(1000);
   EXPECT_EQ(*last.find("limit"), Setting_value(180.0));
+}
+
+TEST_F(Panel, FilterFindsWordsInAnyOrderAndHidesTheRest) {
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(panel.listed(), (Ids{"limit", "open", "switch", "count"}));
+  panel.set_filter("DEGREES lim", false);
+  EXPECT_EQ(panel.listed(), (Ids{"limit"}));
+  EXPECT_TRUE(named<Number_field>("Limit")->isVisible());
+  EXPECT_FALSE(named<Number_field>("Count")->isVisible());
+  panel.set_filter("module", false);
+  EXPECT_EQ(panel.listed().size(), 4U);
+  panel.set_filter("nowhere", false);
+  EXPECT_TRUE(panel.listed().empty());
+  panel.set_filter({}, false);
+  EXPECT_TRUE(named<Number_field>("Count")->isVisible());
+}
+
+TEST_F(Panel, ChangedOnesAloneAreListedAndFollowChanges) {
+  panel.set_filter({}, true);
+  EXPECT_TRUE(panel.listed().empty());
+  panel.set_settings(Settings{}.with("count", std::int64_t{7}));
+  EXPECT_EQ(panel.listed(), std::vector<std::string>{"count"});
+  EXPECT_TRUE(named<Number_field>("Count")->isVisible());
+  EXPECT_FALSE(named<Number_field>("Limit")->isVisible());
+  named<QToolButton>("Reset Count")->click();
+  EXPECT_FALSE(named<Number_field>("Count")->isVisible());
+}
+
+TEST(SettingsBrowser, SearchesWhatIsTyped) {
+  auto* panel = new Settings_panel(registry());
+  Settings_browser browser(panel);
+  browser.show();
+  QTest::keyClicks(browser.findChild<QLineEdit*>(), "swit");
+  EXPECT_EQ(panel->listed(), std::vector<std::string>{"switch"});
+  browser.search("count");
+  EXPECT_EQ(panel->listed(), std::vector<std::string>{"count"});
 }
 
 }  // namespace
