@@ -6,6 +6,10 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <variant>
+
+#include "core/evolution.h"
 
 namespace mesecina {
 
@@ -31,6 +35,9 @@ struct Worker::State {
   void run(const std::stop_token& stop);
   void watch(const std::stop_token& stop);
   void serve(Request request);
+  void serve(Steps_request request);
+  Progress progress_of(std::uint64_t ticket);
+  void end(std::uint64_t ticket, bool completed);
   void answer(Question question);
 
   Graph graph;  // the worker's thread only
@@ -41,7 +48,7 @@ struct Worker::State {
 
   std::mutex mutex;
   std::condition_variable_any wake;
-  std::optional<Request> waiting;
+  std::optional<std::variant<Request, Steps_request>> waiting;
   std::optional<Question> question;
   std::stop_source running;  ///< of the request or question being computed
   bool is_running = false;
@@ -71,6 +78,12 @@ void Worker::request(Request request) {
   state_->wake.notify_all();
 }
 
+void Worker::evolve(Steps_request request) {
+  const std::lock_guard lock(state_->mutex);
+  state_->waiting = std::move(request);
+  state_->wake.notify_all();
+}
+
 void Worker::cancel() {
   const std::lock_guard lock(state_->mutex);
   state_->waiting.reset();
@@ -86,7 +99,7 @@ void Worker::describe(std::string layer, std::size_t element, std::function<void
 
 void Worker::State::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
-    std::optional<Request> request;
+    std::optional<std::variant<Request, Steps_request>> request;
     std::optional<Question> asked;
     {
       std::unique_lock lock(mutex);
@@ -102,7 +115,7 @@ void Worker::State::run(const std::stop_token& stop) {
       running_since = Clock::now();
     }
     if (request) {
-      serve(std::move(*request));
+      std::visit([this](auto& order) { serve(std::move(order)); }, *request);
     } else if (asked) {
       answer(std::move(*asked));
     }
@@ -128,8 +141,7 @@ void Worker::State::watch(const std::stop_token& stop) {
   }
 }
 
-void Worker::State::serve(Request request) {
-  const std::uint64_t ticket = request.ticket;
+Progress Worker::State::progress_of(std::uint64_t ticket) {
   const auto report = [this, ticket, last = Clock::time_point()](std::string_view stage, double fraction) mutable {
     constexpr double interval = 0.03;
     if (seconds_since(last) < interval) return;
@@ -138,7 +150,24 @@ void Worker::State::serve(Request request) {
       if (this_listener) this_listener(ticket, text, fraction);
     });
   };
-  Progress progress(running.get_token(), report, threads);
+  return Progress(running.get_token(), report, threads);
+}
+
+void Worker::State::end(std::uint64_t ticket, bool completed) {
+  graph.clear_stages();
+  {
+    const std::lock_guard lock(mutex);
+    is_running = false;
+    if (completed) replaced_last = false;
+  }
+  deliver([call = listener.finished, ticket, completed] {
+    if (call) call(ticket, completed);
+  });
+}
+
+void Worker::State::serve(Request request) {
+  const std::uint64_t ticket = request.ticket;
+  Progress progress = progress_of(ticket);
   bool completed = true;
   try {
     graph.set_inputs(std::move(request.inputs));
@@ -163,15 +192,37 @@ void Worker::State::serve(Request request) {
   } catch (const Cancelled&) {
     completed = false;
   }
-  graph.clear_stages();
-  {
-    const std::lock_guard lock(mutex);
-    is_running = false;
-    if (completed) replaced_last = false;
+  end(ticket, completed);
+}
+
+void Worker::State::serve(Steps_request request) {
+  const std::uint64_t ticket = request.ticket;
+  Progress progress = progress_of(ticket);
+  const auto tell = [&](Outcome<Evolution_state> outcome) {
+    deliver([call = listener.finished_step, result = Step_result{ticket, std::move(outcome)}]() mutable {
+      if (call) call(std::move(result));
+    });
+  };
+  bool completed = true;
+  try {
+    if (!graph.registry().find_evolution(request.evolution)) {
+      tell({nullptr, "no evolution '" + request.evolution + "'"});
+      return end(ticket, true);
+    }
+    graph.set_inputs(request.from.inputs);
+    graph.set_settings(request.from.settings);
+    Evolution_loop loop(graph, request.evolution, request.steps_done);
+    for (std::uint64_t step = 0; step < request.steps; ++step) {
+      if (!loop.advance(progress)) {
+        tell({nullptr, loop.end_reason()});
+        break;
+      }
+      tell({std::make_shared<const Evolution_state>(Evolution_state{graph.inputs(), graph.settings()}), {}});
+    }
+  } catch (const Cancelled&) {
+    completed = false;
   }
-  deliver([call = listener.finished, ticket, completed] {
-    if (call) call(ticket, completed);
-  });
+  end(ticket, completed);
 }
 
 void Worker::State::answer(Question asked) {

@@ -31,11 +31,24 @@ class Worker {
     std::vector<std::string> warnings;
     double seconds = 0;
   };
+  /// Steps of an evolution, one after the other, each from the state before.
+  struct Steps_request {
+    std::uint64_t ticket = 0;
+    Evolution_state from;
+    std::string evolution;
+    std::uint64_t steps_done = 0;  ///< of the same evolution, that led to `from`
+    std::uint64_t steps = 1;
+  };
+  struct Step_result {
+    std::uint64_t ticket = 0;
+    Outcome<Evolution_state> outcome;  ///< without a value this was the last: why there is no such step
+  };
   /// Called on the worker's thread; `deliver` (below) brings them to the owner's.
   struct Listener {
     std::function<void(std::uint64_t ticket, const std::string& layer)> started;
     std::function<void(std::uint64_t ticket, const std::string& stage, double fraction)> progressed;
     std::function<void(Layer_result)> finished_layer;
+    std::function<void(Step_result)> finished_step = {};
     /// `completed` is false when the request was cancelled or replaced while it ran.
     std::function<void(std::uint64_t ticket, bool completed)> finished;
   };
@@ -48,6 +61,8 @@ class Worker {
   ~Worker();
 
   void request(Request request);
+  /// A request as the others: the newest one wins, whatever it asks for.
+  void evolve(Steps_request request);
   /// Drops the running and the waiting request.
   void cancel();
   /// Answers, between requests, what an element of a layer is, for the inputs and settings of the last request that

@@ -13,10 +13,12 @@ namespace mesecina {
 namespace {
 /// So that a quick recomputation shows no flicker of states in the panel.
 constexpr std::chrono::milliseconds flush_interval(40);
+constexpr std::size_t usual_budget = std::size_t{512} << 20;
 }  // namespace
 
 Computation::Computation(std::shared_ptr<const Registry> registry, Document& document, QObject* parent)
-    : QObject(parent), registry_(std::move(registry)), document_(document), known_settings_(document.settings()) {
+    : QObject(parent), registry_(std::move(registry)), document_(document), cache_(usual_budget) {
+  data_ = present_data();
   flush_timer_.setSingleShot(true);
   connect(&flush_timer_, &QTimer::timeout, this, &Computation::flush);
   Worker::Listener listener;
@@ -64,7 +66,7 @@ Scene Computation::scene(Color background) const {
 
 std::shared_ptr<const Primitive_set> Computation::primitives(const std::string& layer) const {
   const auto it = layers_.find(layer);
-  return it == layers_.end() ? nullptr : it->second.primitives;
+  return it == layers_.end() ? nullptr : it->second.picture.primitives;
 }
 
 Layer_status Computation::status(const std::string& layer) const {
@@ -72,10 +74,10 @@ Layer_status Computation::status(const std::string& layer) const {
   const auto it = layers_.find(layer);
   if (it == layers_.end()) return status;
   const Layer& known = it->second;
-  status.reason = known.reason;
-  status.warnings = known.warnings;
-  status.seconds = known.seconds;
-  status.count = known.primitives ? known.primitives->element_count() : 0;
+  status.reason = known.picture.reason;
+  status.warnings = known.picture.warnings;
+  status.seconds = known.picture.seconds;
+  status.count = known.picture.primitives ? known.picture.primitives->element_count() : 0;
   if (known.is_computing) {
     status.state = Layer_status::State::computing;
   } else if (known.generation == 0) {
@@ -83,7 +85,7 @@ Layer_status Computation::status(const std::string& layer) const {
   } else if (known.generation != generation_) {
     status.state = Layer_status::State::stale;
   } else {
-    status.state = known.reason.isEmpty() ? Layer_status::State::current : Layer_status::State::failed;
+    status.state = known.picture.reason.isEmpty() ? Layer_status::State::current : Layer_status::State::failed;
   }
   return status;
 }
@@ -92,14 +94,14 @@ void Computation::describe(const std::string& layer, std::size_t element,
                            std::function<void(Element_description)> answer) {
   const auto it = layers_.find(layer);
   if (it == layers_.end() || it->second.generation != generation_) return;
-  const auto deliver = [this, layer, set = it->second.primitives, generation = generation_,
+  const auto deliver = [this, layer, set = it->second.picture.primitives, generation = generation_,
                         answer = std::move(answer)](Element_description description) {
     const auto now = layers_.find(layer);
-    if (generation == generation_ && now != layers_.end() && now->second.primitives == set)
+    if (generation == generation_ && now != layers_.end() && now->second.picture.primitives == set)
       answer(std::move(description));
   };
-  if (settings_are_newer_ && !is_busy_) {
-    settings_are_newer_ = false;
+  if (is_worker_behind_ && !is_busy_) {
+    is_worker_behind_ = false;
     worker_->request({last_ticket_, document_.inputs(), document_.settings(), {}});
   }
   worker_->describe(layer, element, deliver);
@@ -114,31 +116,54 @@ void Computation::cancel() {
   set_busy(false);
 }
 
-bool Computation::only_cuts_differ(const Settings& before, const Settings& after) const {
-  std::set<std::string> different;
-  for (const Settings* settings : {&before, &after}) {
-    const Settings* other = settings == &before ? &after : &before;
-    for (const auto& [id, value] : settings->changed()) {
-      const Setting_value* there = other->find(id);
-      if (!there || *there != value) different.insert(id);
-    }
-  }
-  return std::ranges::all_of(different, [&](const std::string& id) {
-    return std::ranges::any_of(registry_->layers(),
-                               [&](const Layer_spec& spec) { return spec.cut_setting == id || spec.cut_switch == id; });
-  });
+Computation::Data Computation::present_data() const {
+  Data data{document_.inputs(), document_.settings()};
+  for (const Layer_spec& spec : registry_->layers())
+    for (const std::string& id : {spec.cut_setting, spec.cut_switch})
+      if (data.settings.find(id)) data.settings = data.settings.without(id);
+  return data;
 }
 
 void Computation::react(const Document_change& change) {
-  const bool is_cut = change.settings && only_cuts_differ(known_settings_, document_.settings());
-  known_settings_ = document_.settings();
-  if (change.inputs || (change.settings && !is_cut)) {
+  Data data = present_data();
+  const bool is_other_data = !(data.inputs == data_.inputs) || data.settings != data_.settings;
+  if (is_other_data) {
+    // The pictures of the start were computed before there was a track.
+    if (document_.track())
+      for (const auto& [id, layer] : layers_) keep(id);
+    data_ = std::move(data);
     ++generation_;
     for (const auto& [id, layer] : layers_) touch(id);
+    show_kept_pictures();
   }
-  if (is_cut) settings_are_newer_ = true;
+  if (change.settings || is_other_data) is_worker_behind_ = true;
   Q_EMIT scene_changed();
   request_visible();
+}
+
+void Computation::keep(const std::string& layer) {
+  const Layer& known = layers_.at(layer);
+  if (known.generation != generation_ || cache_.find(data_.inputs, data_.settings, layer)) return;
+  const std::size_t before = cache_.bytes();
+  cache_.put(data_.inputs, data_.settings, layer, known.picture);
+  if (cache_.bytes() != before) Q_EMIT kept_bytes_changed();
+}
+
+void Computation::show_kept_pictures() {
+  for (const Layer_spec& spec : registry_->layers()) {
+    const Layer_picture* picture = cache_.find(data_.inputs, data_.settings, spec.id);
+    if (!picture) continue;
+    Layer& layer = layers_[spec.id];
+    layer.picture = *picture;
+    layer.generation = generation_;
+    layer.is_computing = false;
+    touch(spec.id);
+  }
+}
+
+void Computation::set_kept_bytes_budget(std::size_t bytes) {
+  cache_.set_budget(bytes);
+  Q_EMIT kept_bytes_changed();
 }
 
 std::vector<std::string> Computation::visible_layers() const {
@@ -170,7 +195,7 @@ void Computation::send(std::vector<std::string> layers) {
   ++last_ticket_;
   generations_[last_ticket_] = generation_;
   requested_ = layers;
-  settings_are_newer_ = false;
+  is_worker_behind_ = false;
   worker_->request({last_ticket_, document_.inputs(), document_.settings(), std::move(layers)});
   is_busy_ = true;
   Q_EMIT busy_changed(true);
@@ -183,11 +208,9 @@ void Computation::take(const Worker::Layer_result& result) {
   layer.is_computing = false;
   if (sent->second < layer.generation) return;
   layer.generation = sent->second;
-  layer.primitives = result.outcome.value;
-  layer.reason = QString::fromStdString(result.outcome.reason);
-  layer.warnings.clear();
-  for (const std::string& warning : result.warnings) layer.warnings << QString::fromStdString(warning);
-  layer.seconds = result.seconds;
+  layer.picture = {result.outcome.value, QString::fromStdString(result.outcome.reason), {}, result.seconds};
+  for (const std::string& warning : result.warnings) layer.picture.warnings << QString::fromStdString(warning);
+  if (document_.track()) keep(result.layer);
   touch(result.layer);
   Q_EMIT scene_changed();
 }

@@ -15,11 +15,13 @@
 #include "core/worker.h"
 #include "layers/layer_panel.h"
 #include "shell/document.h"
+#include "shell/picture_cache.h"
 
 namespace mesecina {
 
 /// Keeps the pictures of a document's visible layers up to date, on a thread of its own. The last good picture of a
-/// layer stays until there is a new one.
+/// layer stays until there is a new one. Pictures of the places of an evolution track are kept, so that going to one
+/// that was seen before needs no computation.
 class Computation : public QObject {
   Q_OBJECT
  public:
@@ -37,6 +39,11 @@ class Computation : public QObject {
   /// Requests sent so far, for tests.
   std::uint64_t requests() const { return last_ticket_; }
 
+  /// Of the pictures that are kept.
+  std::size_t kept_bytes() const { return cache_.bytes(); }
+  std::size_t kept_bytes_budget() const { return cache_.budget(); }
+  void set_kept_bytes_budget(std::size_t bytes);
+
   /// What an element of a layer is; not answered when the layer is not up to date, or changes before the answer.
   void describe(const std::string& layer, std::size_t element, std::function<void(Element_description)> answer);
 
@@ -52,19 +59,25 @@ class Computation : public QObject {
   void busy_changed(bool is_busy);
   /// fraction in [0,1] of the stage.
   void progressed(const QString& stage, double fraction);
+  void kept_bytes_changed();
 
  private:
   struct Layer {
-    std::shared_ptr<const Primitive_set> primitives;
+    Layer_picture picture;
     std::uint64_t generation = 0;  ///< of the data that it shows; 0: never computed
-    QString reason;
-    QStringList warnings;
-    double seconds = 0;
     bool is_computing = false;
   };
 
+  /// What was shown at a time.
+  struct Data {
+    Inputs inputs;
+    Settings settings;  ///< only those that structures may read
+  };
+
   void react(const Document_change& change);
-  bool only_cuts_differ(const Settings& before, const Settings& after) const;
+  Data present_data() const;
+  void keep(const std::string& layer);
+  void show_kept_pictures();
   std::vector<std::string> visible_layers() const;
   QString stage_text(const std::string& stage) const;
   void request_visible();
@@ -77,14 +90,15 @@ class Computation : public QObject {
 
   std::shared_ptr<const Registry> registry_;
   Document& document_;
-  Settings known_settings_;
+  Data data_;  ///< of the present generation
+  Picture_cache cache_;
   std::map<std::string, Layer> layers_;
   std::uint64_t generation_ = 1;  ///< of inputs and those settings that structures may read
   std::uint64_t last_ticket_ = 0;
   std::map<std::uint64_t, std::uint64_t> generations_;  ///< of the tickets that may still answer
   std::vector<std::string> requested_;                  ///< layers of the last request
   bool is_busy_ = false;
-  bool settings_are_newer_ = false;  ///< than those the worker knows, in cuts only
+  bool is_worker_behind_ = false;  ///< it has other inputs or settings than the document
   std::set<std::string> touched_;
   QTimer flush_timer_;
   std::unique_ptr<Worker> worker_;

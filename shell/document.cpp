@@ -47,6 +47,12 @@ class Document::Step : public QUndoCommand {
         before_(document.state_),
         after_(std::move(after)),
         merge_(std::move(merge)) {}
+  /// A step of an evolution, which makes the place of this number.
+  Step(Document& document, Document_state after, QString evolution, std::size_t first_place)
+      : Step(document, std::move(after), steps_text(evolution, 1), QStringLiteral("evolution/") + evolution) {
+    evolution_ = std::move(evolution);
+    first_place_ = first_place;
+  }
 
   void undo() override { document_.apply(before_); }
   void redo() override { document_.apply(after_); }
@@ -54,9 +60,10 @@ class Document::Step : public QUndoCommand {
   bool mergeWith(const QUndoCommand* command) override {
     const auto* other = static_cast<const Step*>(command);
     if (other->merge_ != merge_) return false;
+    if (!evolution_.isEmpty() && !continues(*other)) return false;
     after_ = other->after_;
-    setText(other->text());
-    if (same_state(before_, after_)) {
+    setText(evolution_.isEmpty() ? other->text() : steps_text(evolution_, after_.track->places.size() - first_place_));
+    if (evolution_.isEmpty() && same_state(before_, after_)) {
       setObsolete(true);
       document_.apply(before_);
     }
@@ -64,10 +71,20 @@ class Document::Step : public QUndoCommand {
   }
 
  private:
+  static QString steps_text(const QString& evolution, std::size_t count) {
+    return count == 1 ? Document::tr("%1: 1 step").arg(evolution)
+                      : Document::tr("%1: %2 steps").arg(evolution).arg(count);
+  }
+  bool continues(const Step& other) const {
+    return after_.track == other.before_.track && other.first_place_ == after_.track->places.size();
+  }
+
   Document& document_;
   Document_state before_;
   Document_state after_;
   QString merge_;
+  QString evolution_;  ///< its label, where this is a step of one
+  std::size_t first_place_ = 0;
 };
 
 Document::Document(Document_state start, QObject* parent)
@@ -80,18 +97,58 @@ Document::Document(Document_state start, Layers_for_inputs layers_for_inputs) : 
 }
 
 void Document::edit(Document_state after, const QString& text, const QString& merge) {
-  const bool is_same =
-      after.inputs == state_.inputs && after.settings == state_.settings && after.layers == state_.layers;
+  const bool is_same = after.inputs == state_.inputs && after.settings == state_.settings &&
+                       after.layers == state_.layers && after.track == state_.track &&
+                       after.position == state_.position;
   if (is_same) return;
+  const bool is_here = after.track && after.track == state_.track && after.position == state_.position;
+  if (is_here && (!(after.inputs == state_.inputs) || concerns(*after.track, state_.settings, after.settings))) {
+    after.track = branched(*after.track, after.position, after.inputs, after.settings);
+    if (!after.track) after.position = 0;
+  }
   history_.push(new Step(*this, std::move(after), text, merge));
 }
 
-void Document::edit_inputs(Inputs inputs, const QString& text, const QString& merge) {
+Document_state Document::with_inputs(Inputs inputs) const {
   Document_state after = state_;
   after.inputs = std::move(inputs);
   if (layers_for_inputs_ && after.inputs.ids() != state_.inputs.ids())
     after.layers = layers_for_inputs_(after.inputs, std::move(after.layers));
-  edit(std::move(after), text, merge);
+  return after;
+}
+
+void Document::edit_inputs(Inputs inputs, const QString& text, const QString& merge) {
+  edit(with_inputs(std::move(inputs)), text, merge);
+}
+
+void Document::replace_inputs(Inputs inputs, const QString& text) {
+  Document_state after = with_inputs(std::move(inputs));
+  after.track = nullptr;
+  after.position = 0;
+  edit(std::move(after), text);
+}
+
+Document_state Document::at(const Track_pointer& track, std::size_t position) const {
+  Document_state after = with_inputs(track->places.at(position).inputs);
+  after.settings = settings_at(*track, position, std::move(after.settings));
+  after.track = track;
+  after.position = position;
+  return after;
+}
+
+void Document::add_step(const Evolution_spec& evolution, std::size_t position, const Evolution_state& before,
+                        const Evolution_state& after, bool follows) {
+  const Track_pointer start = state_.track ? state_.track : start_track(before.inputs);
+  const Track_pointer longer = with_step(*start, position, evolution, before, after);
+  const bool is_cut_off = state_.position > position;
+  history_.push(new Step(*this, at(longer, follows || is_cut_off ? position + 1 : state_.position),
+                         QString::fromStdString(evolution.label), position + 1));
+}
+
+void Document::go_to(std::size_t position) {
+  if (!state_.track) return;
+  position = std::min(position, state_.track->step_count());
+  if (position != state_.position) apply(at(state_.track, position));
 }
 
 void Document::edit_settings(Settings settings, const QString& text, const QString& merge) {
@@ -132,9 +189,10 @@ bool Document::is_modified() const { return !(saved_ == state_.inputs); }
 
 void Document::apply(const Document_state& state) {
   const Document_change change{!(state.inputs == state_.inputs), !(state.settings == state_.settings),
-                               !(state.layers == state_.layers)};
+                               !(state.layers == state_.layers),
+                               state.track != state_.track || state.position != state_.position};
   state_ = state;
-  if (change.inputs || change.settings || change.layers) Q_EMIT changed(change);
+  if (change.inputs || change.settings || change.layers || change.track) Q_EMIT changed(change);
   tell_modified();
 }
 

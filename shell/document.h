@@ -13,6 +13,7 @@
 #include "core/inputs.h"
 #include "core/settings.h"
 #include "layers/layer_list.h"
+#include "shell/evolution_track.h"
 
 namespace mesecina {
 
@@ -21,6 +22,8 @@ struct Document_state {
   Inputs inputs;
   Settings settings;
   Layer_list layers;
+  Track_pointer track = nullptr;  ///< null: no evolution has made a step
+  std::size_t position = 0;       ///< the place of the track that inputs and settings are those of
 };
 
 /// Which parts differ from what they were.
@@ -28,6 +31,7 @@ struct Document_change {
   bool inputs = false;
   bool settings = false;
   bool layers = false;
+  bool track = false;  ///< the track, or the place on it
 };
 
 /// True when both hold equal data; images are compared by identity. O(size) at worst.
@@ -47,13 +51,29 @@ class Document : public QObject {
   const Inputs& inputs() const { return state_.inputs; }
   const Settings& settings() const { return state_.settings; }
   const Layer_list& layers() const { return state_.layers; }
+  const Track_pointer& track() const { return state_.track; }
+  std::size_t position() const { return state_.position; }
+  /// Of the track; 0 without one.
+  std::size_t step_count() const { return state_.track ? state_.track->step_count() : 0; }
 
   /// One undoable step, `text` in the user's words ("Move 3 points"). Steps that follow each other with the same
   /// non-empty `merge` key are one; when they lead back to where they began there is none. No change, no step.
+  /// Of the track the places before the present one stay, those after it go when inputs change, or settings that its
+  /// steps were made by; undo brings them back.
   void edit(Document_state after, const QString& text, const QString& merge = {});
   void edit_inputs(Inputs inputs, const QString& text, const QString& merge = {});
+  /// As edit_inputs, and without a track: these inputs have nothing to do with those before.
+  void replace_inputs(Inputs inputs, const QString& text);
   void edit_settings(Settings settings, const QString& text, const QString& merge = {});
   void edit_layers(Layer_list layers, const QString& text, const QString& merge = {});
+
+  /// One more place after the place `position` of the track, made of `before` by one step of the evolution; places that
+  /// were after it go. Steps of an evolution that follow each other are one step of undo ("Smoothing: 12 steps").
+  /// `follows`: the new place becomes the present one.
+  void add_step(const Evolution_spec& evolution, std::size_t position, const Evolution_state& before,
+                const Evolution_state& after, bool follows);
+  /// Goes to a place of the track, the last one at most. No step of undo.
+  void go_to(std::size_t position);
 
   QUndoStack& history() { return history_; }
 
@@ -70,6 +90,8 @@ class Document : public QObject {
  private:
   class Step;
   void apply(const Document_state& state);
+  Document_state with_inputs(Inputs inputs) const;
+  Document_state at(const Track_pointer& track, std::size_t position) const;
   void tell_modified();
 
   Document_state state_;

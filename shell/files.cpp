@@ -70,7 +70,7 @@ void Files::open_example(const QString& path) {
 }
 
 void Files::new_document() {
-  document_.edit_inputs({}, tr("New"));
+  document_.replace_inputs({}, tr("New"));
   document_.mark_all_saved();
   set_current({}, {});
 }
@@ -107,8 +107,11 @@ void Files::take(const Loaded& result) {
   if (result.good.isEmpty()) return;
   const Order& order = result.order;
   const bool is_start = order.is_first && document_.history().count() == 0;
-  document_.edit_inputs(order.is_added ? kinds_.appended(document_.inputs(), result.inputs) : result.inputs,
-                        order.step);
+  if (order.is_added) {
+    document_.edit_inputs(kinds_.appended(document_.inputs(), result.inputs), order.step);
+  } else {
+    document_.replace_inputs(result.inputs, order.step);
+  }
   if (is_start) document_.history().clear();
   if (!order.is_added) {
     document_.mark_all_saved();

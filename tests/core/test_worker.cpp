@@ -55,6 +55,21 @@ std::shared_ptr<const Registry> slow_registry() {
   failing.id = "failing";
   failing.build = [](Context&) -> Primitive_set { throw Unavailable("never there"); };
   registry->add_layer(failing);
+  Evolution_spec walk;
+  walk.id = "walk";
+  walk.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
+    const auto start = Clock::now();
+    while (seconds_since(start) < 1e-3 * static_cast<double>(context.setting(duration))) {
+      context.progress().report(0.5);
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    const double x = before.inputs.get(points_input)->at(0).x;
+    if (x >= 10) throw Unavailable("the wall");
+    if (x >= 5 && x < 6) return before;
+    const std::vector<Point_2> there{{x + 1, static_cast<double>(step)}};
+    return Evolution_state{before.inputs.with(points_input, there), before.settings};
+  };
+  registry->add_evolution(walk);
   return registry;
 }
 
@@ -69,6 +84,7 @@ class Worker_test : public testing::Test {
     };
     listener.progressed = [this](std::uint64_t, const std::string&, double) { ++progressed_; };
     listener.finished_layer = [this](Worker::Layer_result result) { results_.push_back(std::move(result)); };
+    listener.finished_step = [this](Worker::Step_result result) { steps_.push_back(std::move(result)); };
     listener.finished = [this](std::uint64_t ticket, bool completed) { finished_.push_back({ticket, completed}); };
     worker_ = std::make_unique<Worker>(
         slow_registry(), 1, listener,
@@ -83,6 +99,15 @@ class Worker_test : public testing::Test {
     const double x = static_cast<double>(ticket);
     worker_->request({ticket, Inputs{}.with(points_input, std::vector<Point_2>{{x, 0}}),
                       Settings{}.with("duration", std::int64_t{duration_in_milliseconds}), std::move(layers)});
+  }
+  void evolve(std::uint64_t ticket, double x, std::uint64_t steps, int duration_in_milliseconds = 0,
+              const std::string& evolution = "walk") {
+    worker_->evolve({ticket,
+                     {Inputs{}.with(points_input, std::vector<Point_2>{{x, 0}}),
+                      Settings{}.with("duration", std::int64_t{duration_in_milliseconds})},
+                     evolution,
+                     2,
+                     steps});
   }
   /// Runs closures until the condition holds; false after `limit` seconds.
   bool run_until(const std::function<bool()>& condition, double limit = 5) {
@@ -117,6 +142,7 @@ class Worker_test : public testing::Test {
   std::deque<std::function<void()>> queue_;
   std::vector<std::string> started_;
   std::vector<Worker::Layer_result> results_;
+  std::vector<Worker::Step_result> steps_;
   std::vector<Finished> finished_;
   int progressed_ = 0;
   std::unique_ptr<Worker> worker_;
@@ -293,6 +319,57 @@ TEST_F(Worker_test, what_is_kept_is_not_computed_again) {
     }
     EXPECT_EQ(results_.back().outcome.value->vertices[0].x, 4);
   }
+}
+
+TEST_F(Worker_test, makes_steps_one_of_the_other) {
+  start();
+  evolve(3, 0, 4);
+  ASSERT_TRUE(run_until_finished(3));
+  ASSERT_EQ(steps_.size(), 4U);
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    EXPECT_EQ(steps_[i].ticket, 3U);
+    ASSERT_TRUE(steps_[i].outcome);
+    const Point_2 p = steps_[i].outcome.value->inputs.get(points_input)->at(0);
+    EXPECT_EQ(p.x, static_cast<double>(i + 1));
+    // The numbers of steps go on from those that were done.
+    EXPECT_EQ(p.y, static_cast<double>(i + 3));
+  }
+  EXPECT_TRUE(finished_[0].completed);
+}
+
+TEST_F(Worker_test, steps_end_with_a_reason) {
+  start();
+  evolve(1, 8, 5);
+  ASSERT_TRUE(run_until_finished(1));
+  ASSERT_EQ(steps_.size(), 3U);
+  EXPECT_FALSE(steps_[2].outcome);
+  EXPECT_EQ(steps_[2].outcome.reason, "the wall");
+  steps_.clear();
+  evolve(2, 5, 5);
+  ASSERT_TRUE(run_until_finished(2));
+  ASSERT_EQ(steps_.size(), 1U);
+  EXPECT_FALSE(steps_[0].outcome);
+  EXPECT_FALSE(steps_[0].outcome.reason.empty());
+  steps_.clear();
+  evolve(3, 0, 1, 0, "none");
+  ASSERT_TRUE(run_until_finished(3));
+  ASSERT_EQ(steps_.size(), 1U);
+  EXPECT_NE(steps_[0].outcome.reason.find("none"), std::string::npos);
+}
+
+TEST_F(Worker_test, steps_are_cancelled_at_once) {
+  start();
+  evolve(1, 0, 1000, 50);
+  ASSERT_TRUE(run_until([&] { return steps_.size() == 2; }));
+  worker_->cancel();
+  ASSERT_TRUE(run_until_finished(1, 1));
+  EXPECT_FALSE(finished_[0].completed);
+  EXPECT_LT(steps_.size(), 5U);
+  EXPECT_GT(progressed_, 0);
+  // What comes next is served as ever.
+  request(2, 0);
+  ASSERT_TRUE(run_until_finished(2));
+  EXPECT_TRUE(finished_[1].completed);
 }
 
 }  // namespace
