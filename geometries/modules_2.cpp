@@ -15,6 +15,7 @@
 #include "geometries/samples_2/module.h"
 #include "geometries/scale_axis_2/module.h"
 #include "geometries/union_2/module.h"
+#include "geometries/witness_2/module.h"
 
 namespace mesecina {
 
@@ -34,6 +35,7 @@ std::shared_ptr<const Registry> make_registry_2() {
   register_union_2(*registry);
   register_scale_axis_2(*registry);
   register_evolutions_2(*registry);
+  register_witness_2(*registry);
   return registry;
 }
 

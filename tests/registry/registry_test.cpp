@@ -8,8 +8,9 @@
 #include <numbers>
 #include <set>
 
-#include "core/graph.h"
+#include "core/evolution.h"
 #include "geometries/modules_2.h"
+#include "geometries/witness_2/module.h"
 
 namespace mesecina {
 namespace {
@@ -35,7 +36,11 @@ Inputs example() {
   Image image;
   image.width = image.height = 1;
   image.rgba = {0, 0, 0, 255};
-  return Inputs().with(points_input, wavy_curve(200)).with(disks_input, disks_of_all_kinds()).with(image_input, image);
+  return Inputs()
+      .with(points_input, wavy_curve(200))
+      .with(disks_input, disks_of_all_kinds())
+      .with(landmarks_input, wavy_curve(40))
+      .with(image_input, image);
 }
 
 /// The layers that an issue of the project names; others may come, none may go.
@@ -131,6 +136,10 @@ TEST(Registry_2, EveryEntryHasAKebabCaseIdALabelAndItsOwnHelp) {
     EXPECT_TRUE(layer.build) << layer.id;
   }
   for (const Setting_spec& setting : registry->settings()) check(setting.id, setting.label, setting.help);
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    check(evolution.id, evolution.label, evolution.help);
+    for (const std::string& id : evolution.settings) EXPECT_NE(registry->find_setting(id), nullptr) << evolution.id;
+  }
 }
 
 TEST(Registry_2, EveryDefaultIsValidAndReadsBackFromItsText) {
@@ -218,6 +227,48 @@ TEST(Registry_2, DegenerateInputsGiveAValueOrAReasonButNoInternalError) {
       const auto outcome = graph.layer(layer.id, progress);
       EXPECT_TRUE(outcome || !outcome.reason.empty());
       EXPECT_THAT(outcome.reason, testing::Not(testing::HasSubstr("internal error"))) << layer.id << points.size();
+    }
+  }
+}
+
+TEST(Registry_2, EveryPromisedEvolutionGoesStepsOnAnExample) {
+  const auto registry = make_registry_2();
+  for (const char* id : {"laplacian-smoothing", "subdivision", "noise", "lloyd", "grow-balls", "shrink-balls",
+                         "stepped-growing", "max-min-landmarks"})
+    EXPECT_NE(registry->find_evolution(id), nullptr) << id;
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    Graph graph(registry);
+    graph.set_inputs(example());
+    Progress progress;
+    const Evolution_result result = evolve(graph, evolution.id, 3, progress);
+    EXPECT_EQ(result.steps_done, 3u) << evolution.id << ": " << result.end_reason;
+    for (const char* layer : {"union-medial-axis", "one-step-crust", "witness-complex"})
+      EXPECT_TRUE(graph.layer(layer, progress)) << evolution.id << " " << layer;
+  }
+}
+
+TEST(Registry_2, EvolutionsOfDegenerateInputsGoOnOrSayWhyNot) {
+  const auto registry = make_registry_2();
+  std::vector<Inputs> cases = {{}, Inputs().with(disks_input, std::vector<Disk_2>{{{0, 0}, 0}, {{0, 0}, 0}})};
+  const std::vector<std::vector<Point_2>> point_sets = {{},
+                                                        {{1, 2}},
+                                                        {{1, 2}, {1, 2}},
+                                                        {{0, 0}, {1, 1}},
+                                                        {{0, 0}, {1, 1}, {2, 2}, {3, 3}},
+                                                        {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  for (const auto& points : point_sets) {
+    cases.push_back(Inputs().with(points_input, points));
+    cases.push_back(Inputs().with(outline_input, Outline_2{{points, points}}));
+    cases.push_back(Inputs().with(points_input, points).with(outline_input, Outline_2{{points}}));
+  }
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      Graph graph(registry);
+      graph.set_inputs(cases[i]);
+      Progress progress;
+      const Evolution_result result = evolve(graph, evolution.id, 4, progress);
+      EXPECT_TRUE(result.steps_done == 4 || !result.end_reason.empty());
+      EXPECT_THAT(result.end_reason, testing::Not(testing::HasSubstr("internal error"))) << evolution.id << " " << i;
     }
   }
 }
