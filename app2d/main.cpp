@@ -21,9 +21,9 @@ int run_without_window(const mesecina::Command_line& command_line,
   const auto wants = [&](const char* format) {
     return std::ranges::find(command_line.formats, format) != command_line.formats.end();
   };
-  // Only these two need fonts, and starting the application takes longer than most computations.
+  // Only these need fonts, and starting the application takes longer than most computations.
   std::optional<mesecina::Picture_application> application;
-  if (wants("png") || wants("pdf")) application.emplace();
+  if (wants("png") || wants("pdf") || command_line.recording) application.emplace();
   return mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
 }
 

@@ -41,10 +41,13 @@ int run_without_window(mesecina::Command_line command_line, const std::shared_pt
                        const mesecina::Formats& formats) {
   const auto png = std::ranges::find(command_line.formats, "png");
   std::string reason;
-  if (png != command_line.formats.end()) reason = reason_against_pictures();
+  if (png != command_line.formats.end() || command_line.recording) reason = reason_against_pictures();
   if (!reason.empty()) {
     std::cerr << program << ": no pictures: " << reason << '\n';
-    command_line.formats.erase(png);
+    if (png != command_line.formats.end()) command_line.formats.erase(png);
+    const bool was_all = command_line.formats.empty() && command_line.recording;
+    command_line.recording.reset();
+    if (was_all) return mesecina::exit_some_failed;
   }
   const int code = mesecina::run_batch(command_line, program, registry, formats, std::cerr, isatty(STDERR_FILENO) != 0);
   return reason.empty() || code != mesecina::exit_success ? code : mesecina::exit_some_failed;

@@ -16,6 +16,7 @@
 #include "layers/png_check.h"
 #include "layers/silhouette.h"
 #include "layers/svg_writer.h"
+#include "layers/video_writer.h"
 
 namespace mesecina {
 namespace {
@@ -177,6 +178,12 @@ void add_picture_formats(Formats& formats) {
          application->start();
          write_pdf_file(file, scene, view, width, height);
        }});
+  formats.make_film = [application](const Film_request& request) {
+    return make_video(request, [application](const Film_frame& frame, int width, int height) {
+      application->start();
+      return paint_picture(frame.scene, frame.view, width, height);
+    });
+  };
   formats.readers.push_back({"silhouettes in images", {"png", "gif", "bmp", "jpg", "jpeg"}, read_image});
 }
 

@@ -19,6 +19,7 @@
 #include "layers/painter_canvas.h"
 #include "layers/picture_formats.h"
 #include "layers/space_vectors.h"
+#include "layers/video_writer.h"
 
 namespace mesecina {
 
@@ -154,6 +155,11 @@ void add_space_picture_formats(Formats& formats) {
          }
          write_file(file, [&](std::ostream& out) { out << bytes; });
        }});
+  formats.make_film = [renderer](const Film_request& request) {
+    return make_video(request, [renderer](const Film_frame& frame, int width, int height) {
+      return renderer->paint(frame.scene, frame.view_3, width, height);
+    });
+  };
   formats.picture_writers.push_back(
       {"svg",
        "svg",

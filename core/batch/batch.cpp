@@ -46,6 +46,39 @@ Answer answer_of(const std::string& bytes) {
   return {static_cast<Answer::Kind>(json.at(0).get<int>()), json.at(1), json.at(2), json.at(3)};
 }
 
+/// Says how far the film of the only input is.
+class Frame_progress {
+ public:
+  Frame_progress(Messages& messages, bool is_shown) : messages_(messages), is_shown_(is_shown) {}
+  ~Frame_progress() {
+    if (shown_ > 0) messages_.end_progress();
+  }
+  Frame_progress(const Frame_progress&) = delete;
+  Frame_progress& operator=(const Frame_progress&) = delete;
+
+  void report(int done, int all) {
+    if (!is_shown_) return;
+    if (!left_) left_ = Time_left(static_cast<std::uintmax_t>(all));
+    left_->count(1, true);
+    // Not more often than one can read.
+    constexpr double pause = 0.5;
+    const double now = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (now - last_ < pause) return;
+    last_ = now;
+    ++shown_;
+    const std::string left = left_->text(now);
+    messages_.show_progress("film: " + std::to_string(100LL * done / all) + " %" + (left.empty() ? "" : ", " + left));
+  }
+
+ private:
+  Messages& messages_;
+  bool is_shown_;
+  std::optional<Time_left> left_;
+  Clock::time_point start_ = Clock::now();
+  double last_ = 0;
+  int shown_ = 0;
+};
+
 /// One run of the batch: what is the same for all inputs.
 class Batch {
  public:
@@ -99,7 +132,8 @@ Batch::Batch(const Command_line& command_line, const std::string& program,
              const std::shared_ptr<const Registry>& registry, const Formats& formats, std::ostream& errors,
              bool is_terminal)
     : command_line_(command_line),
-      messages_(errors, program, command_line.log, is_terminal && command_line.files.size() > 1),
+      messages_(errors, program, command_line.log,
+                is_terminal && (command_line.files.size() > 1 || command_line.recording)),
       folder_(command_line.output),
       runner_(command_line, registry, formats, folder_),
       summary_(runner_.layers(), registry->dimension()),
@@ -119,8 +153,14 @@ bool Batch::prepare() {
       return refuse(it->second.string() + " and " + file.string() + " would both write '" + it->first +
                     ".*'; give one of them another --output");
   }
-  if (const auto reason = folder_.create())
-    return refuse("--output " + folder_.path().string() + ": cannot be made a directory (" + *reason + ")");
+  if (command_line_.recording) {
+    std::error_code error;
+    const fs::path folder = fs::absolute(command_line_.recording->file, error).parent_path();
+    fs::create_directories(folder, error);
+    if (error) return refuse("--record: " + folder.string() + " cannot be made a directory (" + error.message() + ")");
+  }
+  const auto reason = runner_.uses_folder() ? folder_.create() : std::nullopt;
+  if (reason) return refuse("--output " + folder_.path().string() + ": cannot be made a directory (" + *reason + ")");
   if (command_line_.stats) {
     stats_.open(*command_line_.stats);
     if (!stats_) return refuse("--stats " + command_line_.stats->string() + ": cannot be written");
@@ -171,7 +211,9 @@ Answer Batch::compute(std::size_t index, std::stop_token stop) {
     }
     const int threads =
         command_line_.threads > 0 ? command_line_.threads : std::max(1, cores_ / std::max(1, command_line_.jobs));
-    Input_statistics statistics = runner_.compute(file, threads, std::move(stop));
+    Frame_progress frames(messages_, files_.size() == 1);
+    Input_statistics statistics =
+        runner_.compute(file, threads, std::move(stop), [&](int frame, int all) { frames.report(frame, all); });
     if (statistics.failed) answer.kind = Answer::Kind::failed;
     answer.reason = statistics.reason;
     if (command_line_.stats) answer.statistics = to_json_line(statistics);
@@ -190,7 +232,7 @@ void Batch::finish(const Worker_pool::Done& done, bool is_alone) {
     finish(done.task, answer_of(*done.answer), is_alone);
     return;
   }
-  folder_.discard(files_[done.task]);
+  runner_.discard(files_[done.task]);
   if (is_stopped_) return;
   // So does the kernel, to whoever uses most, when memory runs out.
   if (done.signal == SIGKILL && !is_alone) {

@@ -10,6 +10,7 @@
 
 #include "core/batch/style_option.h"
 #include "core/evolution.h"
+#include "core/formats/film.h"
 #include "core/formats/number.h"
 
 namespace mesecina {
@@ -152,6 +153,56 @@ View_3 read_view_3(const std::filesystem::path& file) {
   }
 }
 
+/// What is given of --record and its companions.
+struct Recording_words {
+  std::string file;
+  std::vector<std::string> sweeps;
+  double frames_per_second = 30;
+  int turntable = 0;
+  int flight = 0;
+};
+
+std::optional<Recording> read_recording(const Recording_words& words, const Command_line& line, const std::string& view,
+                                        const Registry& registry, const Formats& formats) {
+  const bool moves = !words.sweeps.empty() || words.turntable > 0 || words.flight > 0;
+  if (words.file.empty()) {
+    if (moves) throw Usage_error("--sweep, --turntable and --camera-path are for films: add --record FILE");
+    return std::nullopt;
+  }
+  if (!line.nogui) throw Usage_error("--record needs --nogui; in the window, recording is in the menu File");
+  if (!formats.make_film) throw Usage_error("--record: this was built without pictures");
+  if (!moves && line.evolutions.empty())
+    throw Usage_error("--record " + words.file + ": nothing moves; add --sweep ID=FROM:TO:STEPS, --evolve ID=STEPS" +
+                      (registry.dimension() == 3 ? ", --turntable FRAMES or --camera-path FRAMES" : ""));
+  Recording recording;
+  recording.file = words.file;
+  recording.frames_per_second = words.frames_per_second;
+  recording.turntable = words.turntable;
+  recording.flight = words.flight;
+  for (const std::string& sweep : words.sweeps) {
+    try {
+      recording.sweeps.push_back(parse_sweep(registry, sweep));
+    } catch (const std::invalid_argument& error) {
+      throw Usage_error("--sweep " + sweep + ": " + error.what());
+    }
+  }
+  if (words.flight > 0) {
+    if (view != "fit") recording.camera_path = parse_camera_path_3(read_text(view));
+    if (recording.camera_path.size() < 2)
+      throw Usage_error("--camera-path: expected --view FILE with at least two cameras in its \"camera-path\", found " +
+                        std::to_string(recording.camera_path.size()));
+  }
+  const std::string reason = reason_against(
+      {recording.file, line.width, line.height, recording.frames_per_second, line.transparent_background});
+  if (!reason.empty()) throw Usage_error("--record " + reason);
+  for (const std::filesystem::path& file : line.files) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, recording.file, error))
+      throw Usage_error("--record " + words.file + ": this is an input and would be overwritten");
+  }
+  return recording;
+}
+
 /// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
 View_2 read_view(const std::filesystem::path& file, int width, int height) {
   const std::string text = read_text(file);
@@ -207,6 +258,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   std::string stats;
   std::string output = "out";
   std::string list;
+  Recording_words recording;
   app.add_option("FILE", files, "Points, outlines or pictures to read (--list formats)");
   app.add_flag("--nogui", result.nogui, "Compute and write, open no window; needs no display");
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
@@ -230,6 +282,25 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--size", size, "Size of pictures in pixels, WIDTHxHEIGHT")->capture_default_str();
   app.add_option("--view", view, "View of pictures: a view file, or 'fit'")->capture_default_str();
   app.add_flag("--transparent", result.transparent_background, "Pictures have no background");
+  app.add_option(
+      "--record", recording.file,
+      "With --nogui, a film: NAME.mp4, NAME.webm, NAME.gif or numbered pictures, NAME-%05d.png. Frames are the "
+      "steps of --evolve and --sweep" +
+          std::string(registry.dimension() == 3 ? ", --turntable and --camera-path" : "") +
+          ". With several inputs, their stems come before NAME. Other files are written only where --formats "
+          "asks for them");
+  app.add_option("--sweep", recording.sweeps,
+                 "With --record, a number that moves: ID=FROM:TO:STEPS, repeatable; with :smooth it starts and ends "
+                 "slowly, with :ping-pong it comes back")
+      ->allow_extra_args(false);
+  if (registry.dimension() == 3) {
+    app.add_option("--turntable", recording.turntable, "With --record, the camera goes round once in so many frames")
+        ->check(CLI::Range(1, most_sweep_steps));
+    app.add_option("--camera-path", recording.flight,
+                   "With --record, the camera goes through the key frames of the file of --view in so many frames")
+        ->check(CLI::Range(1, most_sweep_steps));
+  }
+  app.add_option("--fps", recording.frames_per_second, "With --record, frames per second")->capture_default_str();
   app.add_option("--stats", stats,
                  "Write one JSON object per input and line: counts, seconds per stage, memory, warnings. Without a "
                  "file: DIRECTORY OF --output/stats.jsonl. And a table, summary.csv, in that directory")
@@ -276,6 +347,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     std::tie(result.width, result.height) = read_size(size);
     if (view != "fit" && registry.dimension() == 3) result.view_3 = read_view_3(view);
     if (view != "fit" && registry.dimension() == 2) result.view = read_view(view, result.width, result.height);
+    result.recording = read_recording(recording, result, view, registry, formats);
+    if (result.recording && app.count("--formats") == 0) result.formats.clear();
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;

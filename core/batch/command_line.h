@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/batch/recording.h"
 #include "core/formats/format.h"
 #include "core/registry.h"
 #include "core/style.h"
@@ -41,12 +42,13 @@ struct Command_line {
   std::vector<std::string> style_changes;  ///< as they were given: LAYER.PROPERTY=VALUE
   bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
   std::filesystem::path output = "out";
-  std::vector<std::string> formats = {"json"};
-  int width = 1200;  ///< of pictures, in pixels
+  std::vector<std::string> formats = {"json"};  ///< none where only a film is wanted
+  int width = 1200;                             ///< of pictures, in pixels
   int height = 900;
   std::optional<View_2> view;           ///< in the plane; absent: fit
   std::optional<View_3> view_3;         ///< in space; absent: fit
   bool transparent_background = false;  ///< of pictures
+  std::optional<Recording> recording;   ///< a film of each input
   std::optional<std::filesystem::path> stats;
   int jobs = 1;
   bool resume = false;

@@ -82,6 +82,11 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
   json["styles"] = command_line_.style_changes;
   json["as-listed"] = command_line_.as_listed;
   json["seed"] = command_line_.seed;
+  if (const auto& recording = command_line_.recording) {
+    json["film"] = {fs::absolute(recording->file, error).string(), recording->frames_per_second, recording->turntable,
+                    recording->flight, to_json({}, recording->camera_path)};
+    for (const Sweep& sweep : recording->sweeps) json["sweeps"].push_back(to_text(sweep));
+  }
   // The name of a file need not be UTF-8.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -100,6 +105,9 @@ std::vector<std::string> Input_runner::result_names() const {
 
 std::optional<std::string> Input_runner::find_complete(const fs::path& file) const {
   std::optional<std::string> record = folder_.find_complete(file, fingerprint(file), result_names());
+  std::error_code error;
+  if (const auto film = film_of(file); film && record)
+    if (film_kind_of(*film) != Film_kind::frames && !fs::is_regular_file(*film, error)) record.reset();
   // A run without statistics leaves none.
   if (record && command_line_.stats && !nlohmann::json::accept(*record)) return std::nullopt;
   return record;
@@ -172,14 +180,17 @@ void Input_runner::write_pictures(const fs::path& file, const Scene& scene, cons
   }
 }
 
-Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress, Input_statistics& statistics) const {
+Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress, Input_statistics& statistics,
+                                      const std::function<void(const Evolution_state&)>& visit) const {
   // A graph of its own: what is left of earlier steps must not be found in the order of results.
   Graph graph(registry_);
   graph.set_inputs(std::move(state.inputs));
   graph.set_settings(std::move(state.settings));
   for (const auto& [id, steps] : command_line_.evolutions) {
     const auto start = Clock::now();
-    Evolution_result result = evolve(graph, id, steps, progress);
+    Evolution_result result = evolve(graph, id, steps, progress, [&](std::uint64_t) {
+      visit({graph.inputs(), graph.settings()});
+    });
     if (result.end_reason == out_of_memory_reason) throw std::bad_alloc();
     if (result.steps_done < steps)
       statistics.warnings.push_back("evolution " + id + ": " + std::to_string(result.steps_done) + " of " +
@@ -189,7 +200,23 @@ Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress,
   return {graph.inputs(), graph.settings()};
 }
 
-Input_statistics Input_runner::compute(const fs::path& file, int threads, std::stop_token stop) {
+bool Input_runner::uses_folder() const {
+  return !command_line_.formats.empty() || command_line_.stats || command_line_.resume;
+}
+
+std::optional<fs::path> Input_runner::film_of(const fs::path& file) const {
+  if (!command_line_.recording) return std::nullopt;
+  return film_name(*command_line_.recording, file, command_line_.files.size() == 1);
+}
+
+void Input_runner::discard(const fs::path& file) const {
+  if (uses_folder()) folder_.discard(file);
+  std::error_code error;
+  if (const auto film = film_of(file)) fs::remove_all(unfinished_film(*film), error);
+}
+
+Input_statistics Input_runner::compute(const fs::path& file, int threads, std::stop_token stop,
+                                       const Film_maker::Listener& listener) {
   Input_statistics statistics;
   statistics.input = file.string();
   const auto start = Clock::now();
@@ -199,14 +226,25 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, std::s
     statistics.seconds["read"] = seconds_since(start);
     statistics.warnings = std::move(contents.warnings);
     statistics.counts = count_inputs(contents.inputs);
-    Progress progress(std::move(stop), {}, threads);
-    folder_.begin(file);
+    Progress progress(stop, {}, threads);
+    if (uses_folder()) folder_.begin(file);
     Evolution_state state{std::move(contents.inputs), command_line_.settings};
-    if (!command_line_.evolutions.empty()) state = evolved(std::move(state), progress, statistics);
+    std::vector<Evolution_state> states{state};
+    if (!command_line_.evolutions.empty())
+      state = evolved(std::move(state), progress, statistics, [&](const Evolution_state& step) {
+        if (command_line_.recording) states.push_back(step);
+      });
+    std::string missing_film;
+    if (const auto film = film_of(file)) {
+      const auto start_of_film = Clock::now();
+      missing_film = Film_maker(command_line_, registry_, formats_, listener)
+                         .make(*film, states, threads, stop, statistics.warnings);
+      statistics.seconds["film"] = seconds_since(start_of_film);
+    }
     Graph graph(registry_);
     graph.set_inputs(std::move(state.inputs));
     graph.set_settings(std::move(state.settings));
-    write_layers(file, graph, progress, statistics);
+    if (uses_folder()) write_layers(file, graph, progress, statistics);
     for (const Graph::Stage& stage : graph.stages()) statistics.seconds[stage.id] += stage.seconds;
     statistics.errors = graph.measures();
     statistics.notes = graph.notes();
@@ -214,12 +252,14 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, std::s
     std::string record = command_line_.stats ? to_json_line(statistics) : std::string();
     if (record.ends_with('\n')) record.pop_back();
     progress.check();
-    folder_.publish(file, fingerprint_before, record);
+    if (uses_folder()) folder_.publish(file, fingerprint_before, record);
+    statistics.failed = !missing_film.empty();
+    statistics.reason = std::move(missing_film);
   } catch (const std::bad_alloc&) {
-    folder_.discard(file);
+    discard(file);
     throw;
   } catch (const Cancelled&) {
-    folder_.discard(file);
+    discard(file);
     throw;
   } catch (const File_error& error) {
     statistics.failed = true;
@@ -229,7 +269,7 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, std::s
     statistics.reason = file.string() + ": " + error.what();
   }
   if (statistics.failed) {
-    folder_.discard(file);
+    discard(file);
     statistics.seconds["total"] = seconds_since(start);
   }
   return statistics;

@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "core/batch/command_line.h"
+#include "core/batch/film_maker.h"
 #include "core/batch/output_folder.h"
 #include "core/batch/statistics.h"
 #include "core/graph.h"
@@ -24,13 +25,22 @@ class Input_runner {
   /// The statistics of results that are complete and need not be computed again: one line, as of to_json_line.
   std::optional<std::string> find_complete(const std::filesystem::path& file) const;
 
+  /// Whether there are results beside films, which come into the folder.
+  bool uses_folder() const;
+  /// The film of an input, where one is wanted.
+  std::optional<std::filesystem::path> film_of(const std::filesystem::path& file) const;
+  /// Removes what a process that ended by force has left of the results of the file.
+  void discard(const std::filesystem::path& file) const;
+
   /// Computes and publishes all results of the file, or none. What is wrong with the file is told in what it returns.
-  /// Throws Cancelled, and std::bad_alloc where memory is short, also for a single layer.
-  Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop);
+  /// Throws Cancelled, and std::bad_alloc where memory is short, also for a single layer. `listener`: of a film.
+  Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop,
+                           const Film_maker::Listener& listener);
 
  private:
   /// What the evolutions of the command line make of a state.
-  Evolution_state evolved(Evolution_state state, Progress& progress, Input_statistics& statistics) const;
+  Evolution_state evolved(Evolution_state state, Progress& progress, Input_statistics& statistics,
+                          const std::function<void(const Evolution_state&)>& visit) const;
   void write_layers(const std::filesystem::path& file, Graph& graph, Progress& progress, Input_statistics& statistics);
   void warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
                              Input_statistics& statistics) const;

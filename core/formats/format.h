@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -75,12 +76,17 @@ struct Input_writer {
   std::function<void(std::ostream&, const Inputs&)> write;
 };
 
+class Film;
+struct Film_request;
+
 /// The formats a program knows; what needs Qt is added by `layers`.
 struct Formats {
   std::vector<Reader> readers;
   std::vector<Layer_writer> layer_writers;
   std::vector<Picture_writer> picture_writers;
   std::vector<Input_writer> input_writers;
+  /// Begins a film (core/formats/film.h). Throws File_error. Empty where a program can make none.
+  std::function<std::unique_ptr<Film>(const Film_request&)> make_film = {};
 
   const Reader* reader_for(const std::filesystem::path& file) const;  ///< by extension, any case; null if none
   const Layer_writer* find_layer_writer(std::string_view name) const;
