@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "layers/layer_list.h"
+#include "core/layer_list.h"
 
 #include <algorithm>
 
@@ -10,6 +10,19 @@ Layer_list default_layers(const Registry& registry) {
   layers.reserve(registry.layers().size());
   for (const Layer_spec& spec : registry.layers()) layers.push_back({spec.id, spec.style});
   return layers;
+}
+
+Layer_list with_missing_layers(Layer_list listed, const Registry& registry) {
+  auto place = listed.begin();
+  for (const Layer_spec& spec : registry.layers()) {
+    auto found = std::ranges::find(listed, spec.id, &Layer_entry::id);
+    if (found == listed.end()) {
+      found = listed.insert(place, {spec.id, spec.style});
+      found->style.visible = false;
+    }
+    place = found + 1;
+  }
+  return listed;
 }
 
 const Layer_entry* find_entry(const Layer_list& layers, std::string_view id) {
