@@ -46,6 +46,7 @@ Main_window_2::Main_window_2(const std::shared_ptr<const Registry>& registry, Fo
           QStringLiteral("mesecina2d"), registry, std::move(formats), first_state_2(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at(*registry, inputs, layers); }) {
   load_icons();
+  seen_first_ = startup.seen;
   setWindowIcon(QIcon(QStringLiteral(":/icons/org.mesecina.mesecina2d.svg")));
   build_canvas();
   files_ = new Files_2(document_, formats_, this);
@@ -279,7 +280,27 @@ QString Main_window_2::unsaved_text() const {
   return tr("The points, outlines or disks of %1 were changed.").arg(files_->title());
 }
 
-void Main_window_2::files_loaded() { canvas_->fit(bounding_box(document_.inputs())); }
+void Main_window_2::showEvent(QShowEvent* event) {
+  Program_window::showEvent(event);
+  // Before, the size of the canvas is not known.
+  if (!std::exchange(was_shown_, true) && seen_first_) show_first_view();
+}
+
+void Main_window_2::files_loaded() {
+  show_first_view();
+  seen_first_.reset();
+}
+
+void Main_window_2::show_first_view() {
+  if (!seen_first_) {
+    canvas_->fit(bounding_box(document_.inputs()));
+    return;
+  }
+  View_2 view = seen_first_->view;
+  view.scale *= std::min(static_cast<double>(canvas_->width()) / seen_first_->width,
+                         static_cast<double>(canvas_->height()) / seen_first_->height);
+  canvas_->set_view(view);
+}
 
 void Main_window_2::finish_drawing() { canvas_->grab_picture(); }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,11 @@ class Main_window_2 : public Program_window {
   void show_document(const Document_change& change) override;
   QString unsaved_text() const override;
   void files_loaded() override;
+  void showEvent(QShowEvent* event) override;
 
  private:
+  /// What was asked for at the start, or all of the data.
+  void show_first_view();
   void build_canvas();
   void build_docks();
   void make_actions();
@@ -82,6 +86,8 @@ class Main_window_2 : public Program_window {
   std::map<QString, Tool_2*> tools_;
   Tool_2* tool_ = nullptr;
   std::unique_ptr<Hover_2> hover_;
+  std::optional<Seen_2> seen_first_;  ///< until the data is there
+  bool was_shown_ = false;
 };
 
 }  // namespace mesecina

@@ -10,7 +10,8 @@ int start_window(int argc, char** argv, const Command_line& command_line,
                  const std::shared_ptr<const Registry>& registry, Formats formats) {
   const Program_identity identity{QStringLiteral("mesecina2d"), QStringLiteral(MESECINA_VERSION)};
   return run_window(argc, argv, identity, [&]() -> std::unique_ptr<Program_window> {
-    const Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles};
+    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles};
+    if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
     return std::make_unique<Main_window_2>(registry, std::move(formats), startup);
   });
 }

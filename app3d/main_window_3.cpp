@@ -28,6 +28,7 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
     : Program_window(
           QStringLiteral("mesecina3d"), registry, std::move(formats), first_state_3(*registry, startup),
           [registry](const Inputs& inputs, const Layer_list& layers) { return look_at_3(*registry, inputs, layers); }) {
+  seen_first_ = startup.seen_3;
   build_canvas();
   editor_ = new Editor_3(document_, this);
   files_ = new Files_3(document_, formats_, this);
@@ -92,7 +93,7 @@ void Main_window_3::build_canvas() {
 
 void Main_window_3::showEvent(QShowEvent* event) {
   Program_window::showEvent(event);
-  if (!std::exchange(is_view_chosen_, true)) fit();
+  if (!std::exchange(is_view_chosen_, true)) show_first_view();
 }
 
 void Main_window_3::show_scene() {
@@ -133,7 +134,20 @@ QString Main_window_3::unsaved_text() const {
   return tr("The mesh, the balls or the points of %1 were changed.").arg(files_->title());
 }
 
-void Main_window_3::files_loaded() { fit(); }
+void Main_window_3::files_loaded() {
+  show_first_view();
+  seen_first_.reset();
+}
+
+void Main_window_3::show_first_view() {
+  if (!viewer_ || !seen_first_) {
+    fit();
+    return;
+  }
+  viewer_->set_view(seen_first_->view);
+  player_->set_key_frames(seen_first_->key_frames);
+  show_view_state();
+}
 
 View_3 Main_window_3::first_view() const {
   constexpr Point_3 direction_with_z_up{0.45, -1, 0.3};

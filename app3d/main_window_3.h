@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "app3d/camera_player_3.h"
 #include "app3d/editor_3.h"
@@ -79,6 +80,8 @@ class Main_window_3 : public Program_window {
   /// All of the data from the front, a little from the right and above.
   View_3 first_view() const;
   void fit();
+  /// What was asked for at the start, or all of the data.
+  void show_first_view();
   void escape();
   void export_picture();
   void export_layers();
@@ -103,7 +106,8 @@ class Main_window_3 : public Program_window {
   std::unique_ptr<Plane_handle_3> plane_;
   std::unique_ptr<Camera_player_3> player_;
   Mouse_preset mouse_ = Mouse_preset::standard;
-  bool is_view_chosen_ = false;  ///< by the first fit; before, the size of the window is not known
+  std::optional<Seen_3> seen_first_;  ///< until the data is there
+  bool is_view_chosen_ = false;       ///< by the first fit; before, the size of the window is not known
 };
 
 }  // namespace mesecina

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,19 @@ class QMenu;
 
 namespace mesecina {
 
+/// What a picture of the plane of this size shows; a window of another size shows all of it.
+struct Seen_2 {
+  View_2 view;
+  int width = 1;
+  int height = 1;
+};
+
+/// What a window of space shows, and the camera path it has.
+struct Seen_3 {
+  View_3 view;
+  std::vector<Camera_3> key_frames;
+};
+
 /// What a window shows first.
 struct Startup {
   std::vector<std::filesystem::path> files;  ///< none: a live example
@@ -35,6 +49,9 @@ struct Startup {
   Settings settings;
   std::map<std::string, Style> styles =
       {};  ///< by layer: looks other than the usual ones; of `visible` `layers` decides
+  /// None: all of the data.
+  std::optional<Seen_2> seen = {};
+  std::optional<Seen_3> seen_3 = {};
 };
 
 /// What the document starts with: the settings, layers and looks of `startup`; the inputs are the example's where it

@@ -29,7 +29,8 @@ using Clock = std::chrono::steady_clock;
 struct Answer {
   enum class Kind { computed, failed, found, short_of_memory, cancelled };
   Kind kind = Kind::computed;
-  std::string reason;  ///< of a failure
+  std::string reason;                ///< of a failure
+  std::vector<std::string> refused;  ///< why pictures of a computed one are missing
   std::vector<std::string> warnings;
   std::string statistics;  ///< a line without a newline; empty if they are not wanted
 };
@@ -37,13 +38,14 @@ struct Answer {
 std::string to_bytes(const Answer& answer) {
   // Texts may quote files, so they need not be UTF-8; this format takes any bytes.
   std::string bytes;
-  nlohmann::json::to_msgpack({static_cast<int>(answer.kind), answer.reason, answer.warnings, answer.statistics}, bytes);
+  nlohmann::json::to_msgpack(
+      {static_cast<int>(answer.kind), answer.reason, answer.refused, answer.warnings, answer.statistics}, bytes);
   return bytes;
 }
 
 Answer answer_of(const std::string& bytes) {
   const auto json = nlohmann::json::from_msgpack(bytes);
-  return {static_cast<Answer::Kind>(json.at(0).get<int>()), json.at(1), json.at(2), json.at(3)};
+  return {static_cast<Answer::Kind>(json.at(0).get<int>()), json.at(1), json.at(2), json.at(3), json.at(4)};
 }
 
 /// Says how far the film of the only input is.
@@ -88,7 +90,7 @@ class Batch {
 
  private:
   using Indices = std::vector<std::size_t>;
-  enum class State { waiting, computed, found, failed };
+  enum class State { waiting, computed, incomplete, found, failed };
   /// Of one input.
   struct Row {
     State state = State::waiting;
@@ -96,6 +98,7 @@ class Batch {
     std::uintmax_t bytes = 0;
   };
 
+  static const char* word_for(State state);
   bool refuse(const std::string& reason);
   bool prepare();
   void compute_all(const Indices& indices, int jobs, const Stop_signals& signals);
@@ -124,6 +127,7 @@ class Batch {
   bool is_stopped_ = false;
   std::size_t done_ = 0;
   std::size_t failed_ = 0;
+  std::size_t incomplete_ = 0;
   Time_left time_left_{0};
   Clock::time_point start_ = Clock::now();
 };
@@ -216,6 +220,7 @@ Answer Batch::compute(std::size_t index, std::stop_token stop) {
         runner_.compute(file, threads, std::move(stop), [&](int frame, int all) { frames.report(frame, all); });
     if (statistics.failed) answer.kind = Answer::Kind::failed;
     answer.reason = statistics.reason;
+    for (const auto& [format, reason] : statistics.refused) answer.refused.push_back(reason);
     if (command_line_.stats) answer.statistics = to_json_line(statistics);
     if (!answer.statistics.empty()) answer.statistics.pop_back();
     answer.warnings = std::move(statistics.warnings);
@@ -255,7 +260,8 @@ void Batch::finish(std::size_t index, const Answer& answer, bool is_alone) {
       // A reader's warning names its file already.
       for (const std::string& warning : answer.warnings)
         messages_.say(Log_level::warning, (warning.starts_with(file) ? "" : file + ": ") + warning);
-      note(index, State::computed, answer.statistics);
+      for (const std::string& reason : answer.refused) messages_.say(Log_level::error, reason);
+      note(index, answer.refused.empty() ? State::computed : State::incomplete, answer.statistics);
       break;
     case Answer::Kind::failed:
       messages_.say(Log_level::error, answer.reason);
@@ -301,7 +307,8 @@ void Batch::note(std::size_t index, State state, std::string line) {
   rows_[index].statistics = std::move(line);
   ++done_;
   if (state == State::failed) ++failed_;
-  time_left_.count(rows_[index].bytes, state == State::computed);
+  if (state == State::incomplete) ++incomplete_;
+  time_left_.count(rows_[index].bytes, state == State::computed || state == State::incomplete);
   flush_statistics();
   messages_.show_progress(progress_text());
 }
@@ -321,6 +328,20 @@ void Batch::flush_statistics() {
   stats_.flush();
 }
 
+/// In the summary.
+const char* Batch::word_for(State state) {
+  switch (state) {
+    case State::computed:
+      return "done";
+    case State::incomplete:
+      return "incomplete";
+    case State::found:
+      return "skipped";
+    default:
+      return "failed";
+  }
+}
+
 /// The rest of the statistics, and the summary. Returns whether they could be written.
 bool Batch::write_tables() {
   if (!command_line_.stats) return true;
@@ -333,11 +354,7 @@ bool Batch::write_tables() {
     write_file(folder_.path() / "summary.csv", [&](std::ostream& stream) {
       stream << summary_.header();
       for (const Row& row : rows_)
-        if (row.state != State::waiting)
-          stream << summary_.row(row.state == State::computed ? "done"
-                                 : row.state == State::found  ? "skipped"
-                                                              : "failed",
-                                 row.statistics);
+        if (row.state != State::waiting) stream << summary_.row(word_for(row.state), row.statistics);
     });
   } catch (const File_error& error) {
     is_good = refuse(error.what());
@@ -369,7 +386,7 @@ int Batch::run() {
   if (done_ < files_.size()) return interrupted();
   messages_.end_progress();
   if (!write_tables()) return exit_some_failed;
-  return failed_ > 0 ? exit_some_failed : exit_success;
+  return failed_ + incomplete_ > 0 ? exit_some_failed : exit_success;
 }
 
 }  // namespace

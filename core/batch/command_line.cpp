@@ -137,19 +137,34 @@ std::pair<int, int> read_size(const std::string& text) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw Usage_error("--view " + file.string() + ": cannot be read; give a view file or 'fit'");
+/// What was given to --view, and how errors call it.
+struct View_source {
+  std::string name;
+  std::string text;
+};
+
+/// A view itself begins with a brace or, in the plane, is four numbers; all else is the name of a file.
+View_source read_view_source(const std::string& given, int dimension) {
+  const auto start = given.find_first_not_of(" \t\r\n");
+  const bool is_json = start != std::string::npos && given[start] == '{';
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+  const bool is_numbers = dimension == 2 && start != std::string::npos &&
+                          given.find_first_not_of("+-.0123456789eE \t\r\n") == std::string::npos &&
+                          std::ranges::any_of(given.substr(start), is_space);
+  if (is_json || is_numbers) return {"--view", given};
+  std::ifstream stream(given);
+  if (!stream) throw Usage_error("--view " + given + ": cannot be read; give a view file, its text or 'fit'");
   std::stringstream buffer;
   buffer << stream.rdbuf();
-  return buffer.str();
+  return {"--view " + given, buffer.str()};
 }
 
-View_3 read_view_3(const std::filesystem::path& file) {
+void read_view_3(const View_source& source, Command_line& result) {
   try {
-    return parse_view_3(read_text(file));
+    result.view_3 = parse_view_3(source.text);
+    result.key_frames = parse_camera_path_3(source.text);
   } catch (const std::invalid_argument& error) {
-    throw Usage_error("--view " + file.string() + ": " + error.what());
+    throw Usage_error(source.name + ": " + error.what());
   }
 }
 
@@ -162,7 +177,7 @@ struct Recording_words {
   int flight = 0;
 };
 
-std::optional<Recording> read_recording(const Recording_words& words, const Command_line& line, const std::string& view,
+std::optional<Recording> read_recording(const Recording_words& words, const Command_line& line,
                                         const Registry& registry, const Formats& formats) {
   const bool moves = !words.sweeps.empty() || words.turntable > 0 || words.flight > 0;
   if (words.file.empty()) {
@@ -187,7 +202,7 @@ std::optional<Recording> read_recording(const Recording_words& words, const Comm
     }
   }
   if (words.flight > 0) {
-    if (view != "fit") recording.camera_path = parse_camera_path_3(read_text(view));
+    recording.camera_path = line.key_frames;
     if (recording.camera_path.size() < 2)
       throw Usage_error("--camera-path: expected --view FILE with at least two cameras in its \"camera-path\", found " +
                         std::to_string(recording.camera_path.size()));
@@ -203,9 +218,9 @@ std::optional<Recording> read_recording(const Recording_words& words, const Comm
   return recording;
 }
 
-/// A view file: JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
-View_2 read_view(const std::filesystem::path& file, int width, int height) {
-  const std::string text = read_text(file);
+/// JSON {"center": [x, y], "scale": pixels per unit}, or the text "xmin xmax ymin ymax" of older programs.
+View_2 read_view(const View_source& source, int width, int height) {
+  const std::string& text = source.text;
   View_2 view;
   if (const auto start = text.find_first_not_of(" \t\r\n"); start != std::string::npos && text[start] == '{') {
     try {
@@ -213,23 +228,23 @@ View_2 read_view(const std::filesystem::path& file, int width, int height) {
       view.center = {json.at("center").at(0).get<double>(), json.at("center").at(1).get<double>()};
       view.scale = json.at("scale").get<double>();
     } catch (const nlohmann::json::exception& error) {
-      throw Usage_error("--view " + file.string() + ": expected {\"center\": [x, y], \"scale\": s}: " + error.what());
+      throw Usage_error(source.name + ": expected {\"center\": [x, y], \"scale\": s}: " + error.what());
     }
   } else {
     std::vector<double> numbers;
     std::istringstream words(text);
     for (std::string word; words >> word;) {
       const auto number = parse_number(word);
-      if (!number) throw Usage_error("--view " + file.string() + ": expected a number, found '" + word + "'");
+      if (!number) throw Usage_error(source.name + ": expected a number, found '" + word + "'");
       numbers.push_back(*number);
     }
     if (numbers.size() != 4 || !(numbers[1] > numbers[0]) || !(numbers[3] > numbers[2]))
-      throw Usage_error("--view " + file.string() + ": expected xmin xmax ymin ymax or a JSON view");
+      throw Usage_error(source.name + ": expected xmin xmax ymin ymax or a JSON view");
     view.center = {(numbers[0] + numbers[1]) / 2, (numbers[2] + numbers[3]) / 2};
     view.scale = std::min(width / (numbers[1] - numbers[0]), height / (numbers[3] - numbers[2]));
   }
   if (!(view.scale > 0) || !std::isfinite(view.scale))
-    throw Usage_error("--view " + file.string() + ": expected a positive scale, found " + format_number(view.scale));
+    throw Usage_error(source.name + ": expected a positive scale, found " + format_number(view.scale));
   return view;
 }
 
@@ -246,7 +261,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
            : std::string("Explore geometric structures in the plane: Voronoi diagrams, crusts, medial axes and their "
                          "filtrations.\n")) +
           "With files, opens them in a window; with --nogui, computes and writes without one.\n"
-          "Exit codes: 0 all written, 1 some input failed (the others are written), 2 wrong usage, 130 stopped by "
+          "Exit codes: 0 all written, 1 some input or picture failed (all else is written), 2 wrong usage, 130 stopped "
+          "by "
           "SIGINT or SIGTERM (--resume goes on).",
       program);
   app.set_version_flag("--version", program + " " MESECINA_VERSION);
@@ -280,7 +296,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->allow_extra_args(false)
       ->capture_default_str();
   app.add_option("--size", size, "Size of pictures in pixels, WIDTHxHEIGHT")->capture_default_str();
-  app.add_option("--view", view, "View of pictures: a view file, or 'fit'")->capture_default_str();
+  app.add_option("--view", view, "What pictures and the window show: a view file or its text, or 'fit'")
+      ->capture_default_str();
   app.add_flag("--transparent", result.transparent_background, "Pictures have no background");
   app.add_option(
       "--record", recording.file,
@@ -345,9 +362,15 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     result.styles = read_styles(result.style_changes, registry, color_maps);
     if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);
-    if (view != "fit" && registry.dimension() == 3) result.view_3 = read_view_3(view);
-    if (view != "fit" && registry.dimension() == 2) result.view = read_view(view, result.width, result.height);
-    result.recording = read_recording(recording, result, view, registry, formats);
+    if (view != "fit") {
+      const View_source source = read_view_source(view, registry.dimension());
+      if (registry.dimension() == 3) {
+        read_view_3(source, result);
+      } else {
+        result.view = read_view(source, result.width, result.height);
+      }
+    }
+    result.recording = read_recording(recording, result, registry, formats);
     if (result.recording && app.count("--formats") == 0) result.formats.clear();
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
   } catch (const CLI::ParseError& error) {

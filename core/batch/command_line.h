@@ -45,8 +45,9 @@ struct Command_line {
   std::vector<std::string> formats = {"json"};  ///< none where only a film is wanted
   int width = 1200;                             ///< of pictures, in pixels
   int height = 900;
-  std::optional<View_2> view;           ///< in the plane; absent: fit
+  std::optional<View_2> view;           ///< in the plane, of a picture of that size; absent: fit
   std::optional<View_3> view_3;         ///< in space; absent: fit
+  std::vector<Camera_3> key_frames;     ///< in space: the camera path that came with the view
   bool transparent_background = false;  ///< of pictures
   std::optional<Recording> recording;   ///< a film of each input
   std::optional<std::filesystem::path> stats;

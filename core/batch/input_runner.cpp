@@ -146,8 +146,8 @@ void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& pr
   }
   const auto start = Clock::now();
   const auto find_kept = [&](const std::string& id) { return kept[id]; };
-  write_pictures(file, make_scene(*registry_, command_line_, graph.settings(), find_kept),
-                 bounding_box(graph.inputs()));
+  write_pictures(file, make_scene(*registry_, command_line_, graph.settings(), find_kept), bounding_box(graph.inputs()),
+                 statistics);
   statistics.seconds["write"] = write_seconds + seconds_since(start);
 }
 
@@ -164,18 +164,20 @@ void Input_runner::warn_of_missing_value(const std::string& layer, const Primiti
   statistics.warnings.push_back("layer " + layer + ": no values '" + style->second.value + "' to color it by" + known);
 }
 
-void Input_runner::write_pictures(const fs::path& file, const Scene& scene, const Box& box) {
+void Input_runner::write_pictures(const fs::path& file, const Scene& scene, const Box& box,
+                                  Input_statistics& statistics) {
   for (const std::string& name : command_line_.formats) {
     const Picture_writer* writer = formats_.find_picture_writer(name);
     if (!writer) continue;
-    const int width = command_line_.width;
-    const int height = command_line_.height;
-    const fs::path path = folder_.unfinished(file, picture_suffix(writer->extension));
-    if (writer->write_3) {
-      writer->write_3(path, scene, command_line_.view_3.value_or(View_3{fit_camera(box, width, height), {}}), width,
-                      height);
-    } else {
-      writer->write(path, scene, command_line_.view.value_or(fit_view(box, width, height)), width, height);
+    const std::string suffix = picture_suffix(writer->extension);
+    const fs::path path = folder_.unfinished(file, suffix);
+    try {
+      write_picture(path, *writer, scene, box);
+    } catch (const File_error& error) {
+      std::string reason = error.what();
+      if (reason.starts_with(path.string()))
+        reason.replace(0, path.string().size(), folder_.place(file, suffix).string());
+      statistics.refused[name] = reason;
     }
   }
 }
@@ -198,6 +200,18 @@ Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress,
     statistics.evolutions.push_back({id, result.steps_done, std::move(result.end_reason), seconds_since(start)});
   }
   return {graph.inputs(), graph.settings()};
+}
+
+void Input_runner::write_picture(const fs::path& path, const Picture_writer& writer, const Scene& scene,
+                                 const Box& box) const {
+  const int width = command_line_.width;
+  const int height = command_line_.height;
+  if (writer.write_3) {
+    writer.write_3(path, scene, command_line_.view_3.value_or(View_3{fit_camera(box, width, height), {}}), width,
+                   height);
+  } else {
+    writer.write(path, scene, command_line_.view.value_or(fit_view(box, width, height)), width, height);
+  }
 }
 
 bool Input_runner::uses_folder() const {
@@ -252,7 +266,10 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, std::s
     std::string record = command_line_.stats ? to_json_line(statistics) : std::string();
     if (record.ends_with('\n')) record.pop_back();
     progress.check();
-    if (uses_folder()) folder_.publish(file, fingerprint_before, record);
+    std::vector<std::string> refused;
+    for (const auto& [format, reason] : statistics.refused)
+      refused.push_back(picture_suffix(formats_.find_picture_writer(format)->extension));
+    if (uses_folder()) folder_.publish(file, fingerprint_before, record, refused);
     statistics.failed = !missing_film.empty();
     statistics.reason = std::move(missing_film);
   } catch (const std::bad_alloc&) {

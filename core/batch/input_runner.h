@@ -32,7 +32,8 @@ class Input_runner {
   /// Removes what a process that ended by force has left of the results of the file.
   void discard(const std::filesystem::path& file) const;
 
-  /// Computes and publishes all results of the file, or none. What is wrong with the file is told in what it returns.
+  /// Computes and publishes all results of the file, or none; but a picture that its format refuses (too much for SVG,
+  /// too large for PNG) is left out alone. What is wrong with the file is told in what it returns.
   /// Throws Cancelled, and std::bad_alloc where memory is short, also for a single layer. `listener`: of a film.
   Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop,
                            const Film_maker::Listener& listener);
@@ -44,7 +45,10 @@ class Input_runner {
   void write_layers(const std::filesystem::path& file, Graph& graph, Progress& progress, Input_statistics& statistics);
   void warn_of_missing_value(const std::string& layer, const Primitive_set& primitives,
                              Input_statistics& statistics) const;
-  void write_pictures(const std::filesystem::path& file, const Scene& scene, const Box& box);
+  void write_pictures(const std::filesystem::path& file, const Scene& scene, const Box& box,
+                      Input_statistics& statistics);
+  void write_picture(const std::filesystem::path& path, const Picture_writer& writer, const Scene& scene,
+                     const Box& box) const;
   std::string fingerprint(const std::filesystem::path& file) const;
   std::vector<std::string> result_names() const;
 

@@ -26,7 +26,7 @@ std::optional<std::string> Output_folder::find_complete(const fs::path& input, c
   if (!std::getline(stream, line) || line != fingerprint) return std::nullopt;
   const auto exists = [&](const std::string& name) {
     std::error_code error;
-    return fs::is_regular_file(folder_ / (input.stem().string() + name), error);
+    return fs::is_regular_file(place(input, name), error);
   };
   if (!std::ranges::all_of(names, exists)) return std::nullopt;
   line.clear();
@@ -46,11 +46,16 @@ bool Output_folder::is_begun(const fs::path& input) const {
   return fs::is_directory(workplace_of(input), error);
 }
 
+fs::path Output_folder::place(const fs::path& input, const std::string& name) const {
+  return folder_ / (input.stem().string() + name);
+}
+
 fs::path Output_folder::unfinished(const fs::path& input, const std::string& name) const {
   return workplace_of(input) / (input.stem().string() + name);
 }
 
-void Output_folder::publish(const fs::path& input, const std::string& fingerprint, const std::string& record) {
+void Output_folder::publish(const fs::path& input, const std::string& fingerprint, const std::string& record,
+                            const std::vector<std::string>& refused) {
   const std::lock_guard lock(publishing_);
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(workplace_of(input))) files.push_back(entry.path());
@@ -71,6 +76,8 @@ void Output_folder::publish(const fs::path& input, const std::string& fingerprin
     }
     published.push_back(place);
   }
+  for (const std::string& name : refused)
+    if (const fs::path earlier = place(input, name); fs::is_regular_file(earlier, error)) fs::remove(earlier, error);
   write_file(record_of(input), [&](std::ostream& stream) { stream << fingerprint << '\n' << record << '\n'; });
   discard(input);
 }

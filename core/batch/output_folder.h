@@ -29,11 +29,15 @@ class Output_folder {
   void begin(const std::filesystem::path& input) const;
   /// Whether somebody began and neither published nor discarded: still at work, or ended by force.
   bool is_begun(const std::filesystem::path& input) const;
-  /// Where to write a file that will be called <input stem><name>.
+  /// Where a file called <input stem><name> will be.
+  std::filesystem::path place(const std::filesystem::path& input, const std::string& name) const;
+  /// Where to write it until then.
   std::filesystem::path unfinished(const std::filesystem::path& input, const std::string& name) const;
   /// Moves all files of the input to their places, and keeps `fingerprint` and `record` (one line each, or empty) with
-  /// them. Throws File_error, and then none of them is in its place.
-  void publish(const std::filesystem::path& input, const std::string& fingerprint, const std::string& record);
+  /// them. Files of the names `refused`, which could not be made, are removed from their places: they are of an earlier
+  /// run. Throws File_error, and then none of them is in its place.
+  void publish(const std::filesystem::path& input, const std::string& fingerprint, const std::string& record,
+               const std::vector<std::string>& refused = {});
   /// Removes what was not published.
   void discard(const std::filesystem::path& input) const;
 

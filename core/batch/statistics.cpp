@@ -36,8 +36,9 @@ std::string layer_statistics(const Primitive_set* primitives, const std::string&
 std::string to_json_line(const Input_statistics& statistics) {
   Json json;
   json["input"] = statistics.input;
-  json["status"] = statistics.failed ? "failed" : "ok";
+  json["status"] = statistics.failed ? "failed" : statistics.refused.empty() ? "ok" : "incomplete";
   if (statistics.failed) json["reason"] = statistics.reason;
+  if (!statistics.refused.empty()) json["refused"] = statistics.refused;
   json["seconds"] = statistics.seconds;
   json["peak_rss_bytes"] = peak_memory();
   json["counts"] = statistics.counts;

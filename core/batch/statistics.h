@@ -24,9 +24,10 @@ struct Input_statistics {
   std::string input;
   bool failed = false;
   std::string reason;
-  std::map<std::string, double> seconds;                    ///< "total", "read", "write", and one per stage
-  std::vector<Evolution_statistics> evolutions;             ///< in the order of the command line
-  std::map<std::string, std::uint64_t> counts;              ///< of the input
+  std::map<std::string, std::string> refused;    ///< format and reason of each picture that could not be written
+  std::map<std::string, double> seconds;         ///< "total", "read", "write", and one per stage
+  std::vector<Evolution_statistics> evolutions;  ///< in the order of the command line
+  std::map<std::string, std::uint64_t> counts;   ///< of the input
   std::vector<std::pair<std::string, std::string>> layers;  ///< id and its JSON object
   std::map<std::string, double> errors;                     ///< reached, relative to the diagonal
   std::map<std::string, std::string> notes;                 ///< on what was done to the input

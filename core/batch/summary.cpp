@@ -43,6 +43,14 @@ std::string warnings_of(const Json& json) {
   return text;
 }
 
+/// Why it failed, or why pictures are missing.
+std::string reason_of(const Json& json) {
+  std::string text = text_at(json, Json::json_pointer("/reason"));
+  for (const Json& reason : json.value("refused", Json::object()))
+    text += (text.empty() ? "" : "; ") + reason.get<std::string>();
+  return text;
+}
+
 /// Of all kinds of elements together; nothing for a layer that there is not.
 std::string element_count(const Json& layer) {
   if (!layer.contains("vertices")) return {};
@@ -65,8 +73,7 @@ std::string Summary::header() const {
 
 std::string Summary::row(std::string_view status, const std::string& statistics) const {
   const Json json = Json::parse(statistics);
-  std::vector<std::string> cells{text_at(json, Json::json_pointer("/input")), std::string(status),
-                                 text_at(json, Json::json_pointer("/reason")),
+  std::vector<std::string> cells{text_at(json, Json::json_pointer("/input")), std::string(status), reason_of(json),
                                  text_at(json, Json::json_pointer("/seconds/total"))};
   if (dimension_ == 3) {
     cells.push_back(text_at(json, Json::json_pointer("/notes/repair")));

@@ -106,6 +106,21 @@ TEST_F(Files, RefusesToLoseAPart) {
   EXPECT_FALSE(window().files().save_to(folder_.filePath("what.docx")));
 }
 
+TEST_F(Files, StartsWithTheViewThatWasAskedFor) {
+  Startup startup;
+  startup.files = {write("far.xy", "0 0\n100 0\n100 50\n").toStdString()};
+  // A picture of 400 x 200 pixels shows x from 20 to 60 and y from -5 to 15.
+  startup.seen = Seen_2{{{40, 5}, 10}, 400, 200};
+  open_window(startup);
+  ASSERT_TRUE(wait_until([&] { return points().size() == 3; }));
+  const View_2 view = canvas().view();
+  EXPECT_EQ(view.center, (Point_2{40, 5}));
+  EXPECT_DOUBLE_EQ(view.scale, 10 * std::min(canvas().width() / 400.0, canvas().height() / 200.0));
+
+  window().files().open({write("other.xy", "0 0\n1 0\n1 1\n")}, false);
+  ASSERT_TRUE(wait_until([&] { return points().size() == 3 && canvas().view().center == Point_2{0.5, 0.5}; }));
+}
+
 TEST_F(Files, ExportsThePictureAndTheLayers) {
   ASSERT_TRUE(wait_until_current("medial-axis"));
   const QString picture = folder_.filePath("view.svg");

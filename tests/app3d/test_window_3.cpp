@@ -26,6 +26,28 @@ TEST_F(Window_3, ActionsHaveNamesTipsAndKeysOfTheirOwn) {
   EXPECT_TRUE(window_->actions().faults().isEmpty()) << window_->actions().faults().join("\n").toStdString();
 }
 
+TEST_F(Window_3, StartsWithTheViewThatWasAskedFor) {
+  Startup startup{{write("one.cin", "0 0 0 1\n")}, {"given-balls"}, {}};
+  View_3 wanted;
+  wanted.camera.position = {3, 4, 0};
+  wanted.camera.target = {0, 1, 0};
+  wanted.cutting_plane = Cutting_plane_3{{0, 0.25, 0}, {0, 1, 0}, std::nullopt};
+  startup.seen_3 = Seen_3{wanted, {wanted.camera, wanted.camera}};
+  open(startup);
+  ASSERT_TRUE(wait_until_idle());
+  ASSERT_TRUE(wait_until([&] { return window_->computation().primitives("given-balls") != nullptr; }));
+  const View_3 seen = viewer().view();
+  EXPECT_LT(distance(seen.camera.position, wanted.camera.position), 1e-5);
+  EXPECT_LT(distance(seen.camera.target, wanted.camera.target), 1e-5);
+  EXPECT_EQ(seen.cutting_plane, wanted.cutting_plane);
+  EXPECT_EQ(window_->player()->key_frames().size(), 2U);
+
+  // Other data is shown as a whole again.
+  window_->files().open({QString::fromStdString(write("far.cin", "90 0 0 1\n").string())}, false);
+  ASSERT_TRUE(wait_until_idle());
+  EXPECT_LT(distance(viewer().view().camera.target, {90, 0, 0}), 1);
+}
+
 TEST_F(Window_3, OrbitPanAndZoomUploadNothing) {
   open_ball();
   const std::size_t bytes = viewer().uploaded_bytes();

@@ -31,6 +31,9 @@ expect_painted along/two.png 144 100
 expect_white along/two.png 156 100
 expect_different one/two.png along/two.png
 
+succeed --nogui two.cin --layers given-balls --formats png --size 200x200 --view "$(cat along.json)" --output text
+expect_same along/two.png text/two.png
+
 # Cut open, and without a background.
 sed 's/}$/, "cutting-plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}/' along.json >cut.json
 succeed --nogui two.cin --layers given-balls --formats png --size 200x200 --view cut.json --transparent --output cut
@@ -44,6 +47,9 @@ expect_size wide/tetrahedron.png 2600x300
 expect_painted wide/tetrahedron.png 1300 150
 
 # A bad view is refused before anything is computed.
+run --nogui two.cin --formats png --view '{"camera": 1}' --output bad
+expect_status 2
+expect_in stderr '--view: expected'
 for text in '{}' 'nonsense' '{"camera": {"position": [0, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0]}}'; do
   echo "$text" >bad.json
   run --nogui two.cin --formats png --view bad.json --output bad
@@ -58,9 +64,27 @@ expect_file vectors/two.pdf
 expect_in vectors/two.svg 'data-layer="given-balls"'
 expect_in vectors/two.svg '<circle cx="'
 awk 'BEGIN { for (i = 0; i < 20001; ++i) print i, 0, 0, 1 }' >many.cin
-run --nogui many.cin --layers given-balls --formats svg --output many
+run --nogui many.cin two.cin --layers given-balls --formats json,svg,png,pdf --size 60x60 --output many \
+  --stats many.jsonl
 expect_status 1
+expect_lines stderr 2
+expect_in stderr 'many/many.pdf: '
+expect_in stderr 'many/many.svg: '
 expect_in stderr 'found 20001; choose png'
+
+# All else of that input is there, and nothing of an earlier run in place of what is refused.
+expect_file many/many.given-balls.json
+expect_size many/many.png 60x60
+expect_no_file many/many.svg
+expect_file many/two.svg
+expect_json many.jsonl 'map(.status) == ["incomplete", "ok"]'
+expect_json many.jsonl '.[0].refused.svg | test("^many/many.svg: .*found 20001")'
+expect_in many/summary.csv 'many.cin,incomplete,'
+echo earlier >many/many.svg
+run --nogui many.cin two.cin --layers given-balls --formats json,svg,png,pdf --size 60x60 --output many --resume
+expect_status 1
+expect_lines stderr 2
+expect_no_file many/many.svg
 
 # Workers are copies of the first process, which therefore makes no context of graphics itself.
 "$program" --nogui two.cin --layers given-balls --formats png --size 900x900 --output apart >/dev/null &
