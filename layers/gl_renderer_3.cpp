@@ -33,6 +33,17 @@ bool is_drawn(const Scene_layer& layer) {
 }
 
 bool is_translucent(const Scene_layer& layer) { return layer.style.opacity < 1; }
+bool is_solid(const Scene_layer& layer) { return !is_translucent(layer); }
+
+/// What lies behind is meant by who points at it.
+bool is_seen_through(const Scene_layer& layer) {
+  constexpr double most_opacity = 0.5;
+  return layer.style.opacity <= most_opacity;
+}
+bool is_meant(const Scene_layer& layer) { return !is_seen_through(layer); }
+
+/// Which layers a pass paints.
+using Choice = bool (*)(const Scene_layer&);
 
 /// In eye coordinates; not negative where things are left.
 Planes planes_of(const View_3& view, const Projection_3& projection) {
@@ -140,7 +151,7 @@ struct Gl_renderer_3::State {
   static void end();
   Picture picture_of(const Scene& scene, std::span<const Scene_layer> overlay, const View_3& view,
                      const Frame_3& frame);
-  void draw_layers(const Picture& picture, const Pass& pass, bool translucent_ones);
+  void draw_layers(const Picture& picture, const Pass& pass, Choice is_wanted);
   void draw_layer(const Picture& picture, const Pass& pass, const Item& item);
   void draw_pieces(const Picture& picture, const Pass& pass, const Item& item, Part_3 part);
   void draw_balls(const Picture& picture, const Pass& pass, const Item& item);
@@ -151,6 +162,8 @@ struct Gl_renderer_3::State {
   void draw_faces(const Picture& picture, const Pass& pass, const Item& item, const Planes& planes);
   void draw(unsigned mode, int vertices);
   bool peel(const Picture& picture, int most);
+  void read_ids(const Picture& picture, Choice is_wanted, std::vector<std::uint32_t>& ids_there,
+                std::vector<float>& depths);
 };
 
 Gl_primitives_3& Gl_renderer_3::State::primitives_of(const std::shared_ptr<const Primitive_set>& set) {
@@ -378,13 +391,11 @@ void Gl_renderer_3::State::draw_layer(const Picture& picture, const Pass& pass, 
   if (!set.points.empty() && style.vertices) draw_pieces(picture, pass, item, Part_3::bounding_points);
 }
 
-void Gl_renderer_3::State::draw_layers(const Picture& picture, const Pass& pass, bool translucent_ones) {
+void Gl_renderer_3::State::draw_layers(const Picture& picture, const Pass& pass, Choice is_wanted) {
   int number = 0;
   const auto draw_one = [&](const Scene_layer& layer, double lift) {
     ++number;
-    const bool is_in_this_pass =
-        pass.programs->paint == Gl_programs_3::Paint::ids || is_translucent(layer) == translucent_ones;
-    if (!is_drawn(layer) || !is_in_this_pass) return;
+    if (!is_drawn(layer) || !is_wanted(layer)) return;
     Gl_primitives_3& buffers = primitives_of(layer.primitives);
     draw_layer(picture, pass, {&layer, &buffers, look_of(layer, buffers.numbers(), color_maps), number, lift});
   };
@@ -412,7 +423,7 @@ bool Gl_renderer_3::State::peel(const Picture& picture, int most) {
     bind_texture(units_3::solid_depth, solid->depth());
     bind_texture(units_3::nearer_depth, i > 0 ? nearer->depth() : 0);
     glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
-    draw_layers(picture, {&programs_for(Gl_programs_3::Paint::peeled_colors, picture.planes), i > 0}, true);
+    draw_layers(picture, {&programs_for(Gl_programs_3::Paint::peeled_colors, picture.planes), i > 0}, is_translucent);
     glEndQuery(GL_ANY_SAMPLES_PASSED);
     unsigned is_any = 0;
     glGetQueryObjectuiv(query, GL_QUERY_RESULT, &is_any);
@@ -450,6 +461,23 @@ Gl_renderer_3::Gl_renderer_3() {
 
 Gl_renderer_3::~Gl_renderer_3() = default;
 
+/// Layer + 1 and element of each pixel, or two zeros; and what the depth is there.
+void Gl_renderer_3::State::read_ids(const Picture& picture, Choice is_wanted, std::vector<std::uint32_t>& ids_there,
+                                    std::vector<float>& depths) {
+  fit(ids, picture.width, picture.height, Gl_deep_target::Format::ids);
+  ids->bind();
+  constexpr std::array<unsigned, 4> nothing{};
+  glClearBufferuiv(GL_COLOR, 0, nothing.data());
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  draw_layers(picture, {&programs_for(Gl_programs_3::Paint::ids, picture.planes), false}, is_wanted);
+  const std::size_t pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+  ids_there.resize(2 * pixels);
+  depths.resize(pixels);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, picture.width, picture.height, GL_RG_INTEGER, GL_UNSIGNED_INT, ids_there.data());
+  glReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+}
+
 void Gl_renderer_3::draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_3& view,
                          const Frame_3& frame) {
   State& s = *state_;
@@ -467,7 +495,7 @@ void Gl_renderer_3::draw(const Scene& scene, std::span<const Scene_layer> overla
   const Color& ground = scene.background;
   glClearColor(alpha * ground.red / 255.0F, alpha * ground.green / 255.0F, alpha * ground.blue / 255.0F, alpha);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  s.draw_layers(picture, {&s.programs_for(Gl_programs_3::Paint::colors, picture.planes), false}, false);
+  s.draw_layers(picture, {&s.programs_for(Gl_programs_3::Paint::colors, picture.planes), false}, is_solid);
   const bool has_translucent = s.peel(picture, frame.most_translucent_layers);
 
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(shown));
@@ -506,18 +534,21 @@ Id_picture Gl_renderer_3::ids(const Scene& scene, const View_3& view, const Fram
   whole.samples = 1;
   whole.tile.reset();
   const State::Picture picture = s.picture_of(scene, {}, view, whole);
-  fit(s.ids, picture.width, picture.height, Gl_deep_target::Format::ids);
-  s.ids->bind();
-  constexpr std::array<unsigned, 4> nothing{};
-  glClearBufferuiv(GL_COLOR, 0, nothing.data());
-  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  s.draw_layers(picture, {&s.programs_for(Gl_programs_3::Paint::ids, picture.planes), false}, false);
-  const std::size_t pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-  std::vector<std::uint32_t> ids(2 * pixels);
-  std::vector<float> depths(pixels);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, picture.width, picture.height, GL_RG_INTEGER, GL_UNSIGNED_INT, ids.data());
-  glReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  std::vector<std::uint32_t> ids;
+  std::vector<float> depths;
+  s.read_ids(picture, is_meant, ids, depths);
+  const auto is_one = [](const Scene_layer& layer) { return is_drawn(layer) && is_seen_through(layer); };
+  if (std::ranges::any_of(picture.layers, is_one)) {
+    std::vector<std::uint32_t> other_ids;
+    std::vector<float> other_depths;
+    s.read_ids(picture, is_seen_through, other_ids, other_depths);
+    for (std::size_t pixel = 0; pixel < depths.size(); ++pixel) {
+      if (ids[2 * pixel] != 0) continue;
+      ids[2 * pixel] = other_ids[2 * pixel];
+      ids[2 * pixel + 1] = other_ids[2 * pixel + 1];
+      depths[pixel] = other_depths[pixel];
+    }
+  }
   State::end();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(shown));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);

@@ -32,8 +32,8 @@ class Gl_renderer_3 {
   /// of elements but on the graphics card.
   void draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_3& view, const Frame_3& frame);
 
-  /// What is seen in every pixel of the picture that draw() paints, translucent things like solid ones. Reads it back,
-  /// which costs some milliseconds.
+  /// What is meant in every pixel of the picture that draw() paints: the nearest of the layers that are more than half
+  /// opaque; where there is none, the nearest of the others. Reads it back, which costs some milliseconds.
   Id_picture ids(const Scene& scene, const View_3& view, const Frame_3& frame);
 
   /// Bytes of geometry, values and colour maps sent since it was made.

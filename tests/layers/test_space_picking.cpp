@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <tuple>
 
 #include "example_scene.h"
 #include "space_fixture.h"
@@ -101,7 +102,7 @@ Scene random_scene(unsigned seed) {
     scene.layers.push_back(layer_of(std::move(set)));
     scene.layers.back().style.filled = true;
   }
-  scene.layers[1].style.opacity = 0.5;
+  scene.layers[1].style.opacity = 0.6;
   return scene;
 }
 
@@ -168,6 +169,31 @@ TEST_P(Space_picking, ABallIsSeenWhereItIsBeforeAPlane) {
     const auto found = ids.find(column, side / 2);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->layer, off < pixels ? 1U : 0U) << column;
+  }
+}
+
+TEST_P(Space_picking, FaintThingsDoNotHideWhatIsInThem) {
+  // A small square behind a large one.
+  Scene scene;
+  scene.layers.push_back(layer_of(square_at(0.5, 1.5)));
+  scene.layers.push_back(layer_of(square_at(-0.5, 0.5)));
+  for (Scene_layer& layer : scene.layers) layer.style.filled = true;
+  constexpr int side = 100;
+  const View_3 view = view_along_z(GetParam(), 4);
+  for (const auto& [front, back, is_behind] :
+       {std::tuple{1.0, 1.0, false}, {0.6, 1.0, false}, {0.5, 1.0, true}, {0.2, 0.6, true}, {0.2, 0.3, false}}) {
+    scene.layers[0].style.opacity = front;
+    scene.layers[1].style.opacity = back;
+    const Id_picture ids = renderer().ids(scene, view, plain_frame(side, side));
+    const auto middle = ids.find(side / 2, side / 2);
+    ASSERT_TRUE(middle);
+    EXPECT_EQ(middle->layer, is_behind ? 1U : 0U) << front << ", " << back;
+    EXPECT_NEAR(middle->place.z, is_behind ? -0.5 : 0.5, 1e-3) << front << ", " << back;
+    const auto beside = ids.find(side / 2 + 30, side / 2);
+    ASSERT_TRUE(beside);
+    EXPECT_EQ(beside->layer, 0U) << front << ", " << back;
+    EXPECT_NEAR(beside->place.z, 0.5, 1e-3) << front << ", " << back;
+    EXPECT_FALSE(ids.find(1, 1));
   }
 }
 
