@@ -15,8 +15,10 @@ constexpr std::array names{std::pair{Mouse_preset::standard, "standard"}, std::p
 
 QString tr(const char* text) { return QCoreApplication::translate("mesecina::Mouse_preset", text); }
 
-QString name_of(const Mouse_binding& binding) {
-  QString name = binding.button == Qt::LeftButton ? tr("left") : tr("middle");
+QString name_of(const Mouse_binding& binding, Mouse_preset preset) {
+  QString name = binding.button == Qt::MiddleButton ? tr("middle")
+                 : selects_by_drag(preset)          ? tr("left (turn, add)")
+                                                    : tr("left");
   if (binding.modifiers & Qt::ShiftModifier) name = tr("Shift + %1").arg(name);
   if (binding.modifiers & Qt::ControlModifier) name = tr("Ctrl + %1").arg(name);
   name[0] = name[0].toUpper();
@@ -30,11 +32,13 @@ std::vector<Mouse_binding> mouse_bindings(Mouse_preset preset) {
     case Mouse_preset::blender:
       return {{Qt::NoModifier, Qt::MiddleButton, Camera_drag::turn},
               {Qt::ShiftModifier, Qt::MiddleButton, Camera_drag::move},
-              {Qt::ControlModifier, Qt::MiddleButton, Camera_drag::zoom}};
+              {Qt::ControlModifier, Qt::MiddleButton, Camera_drag::zoom},
+              {Qt::NoModifier, Qt::LeftButton, Camera_drag::turn}};
     case Mouse_preset::cad:
       return {{Qt::NoModifier, Qt::MiddleButton, Camera_drag::turn},
               {Qt::ControlModifier, Qt::MiddleButton, Camera_drag::move},
-              {Qt::ShiftModifier, Qt::MiddleButton, Camera_drag::zoom}};
+              {Qt::ShiftModifier, Qt::MiddleButton, Camera_drag::zoom},
+              {Qt::NoModifier, Qt::LeftButton, Camera_drag::turn}};
     default:
       return {{Qt::NoModifier, Qt::LeftButton, Camera_drag::turn},
               {Qt::NoModifier, Qt::MiddleButton, Camera_drag::move},
@@ -43,6 +47,8 @@ std::vector<Mouse_binding> mouse_bindings(Mouse_preset preset) {
   }
 }
 
+bool selects_by_drag(Mouse_preset preset) { return preset != Mouse_preset::standard; }
+
 std::vector<Gesture> camera_gestures(Mouse_preset preset) {
   std::vector<Gesture> gestures;
   for (const auto& [drag, text] :
@@ -50,9 +56,10 @@ std::vector<Gesture> camera_gestures(Mouse_preset preset) {
         std::pair{Camera_drag::zoom, tr("Zoom")}}) {
     QStringList ways;
     for (const Mouse_binding& binding : mouse_bindings(preset))
-      if (binding.drag == drag) ways << name_of(binding);
+      if (binding.drag == drag) ways << name_of(binding, preset);
     gestures.push_back({ways.join(QStringLiteral(", ")), text});
   }
+  if (selects_by_drag(preset)) gestures.push_back({tr("Drag on nothing (select)"), tr("Select in a rectangle")});
   return gestures;
 }
 

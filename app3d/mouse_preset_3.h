@@ -20,9 +20,12 @@ struct Mouse_binding {
   Camera_drag drag = Camera_drag::turn;
 };
 
-/// What dragging does to the camera.
+/// What dragging does to the camera, where the tool leaves it the button.
 std::vector<Mouse_binding> mouse_bindings(Mouse_preset preset);
-/// The same in words, for the sheet of keys.
+/// Whether the left button, which turns the scene with the other tools, draws a rectangle with the tool that selects:
+/// hands that come from there turn with another button.
+bool selects_by_drag(Mouse_preset preset);
+/// What dragging does in words, for the sheet of keys.
 std::vector<Gesture> camera_gestures(Mouse_preset preset);
 /// kebab-case, as preferences keep it.
 QString preset_name(Mouse_preset preset);

@@ -45,7 +45,9 @@ QString Select_tool_3::hint(const QPointF& pixel) {
   if (is_resizing()) return tr("Release at the radius; Esc takes it back");
   if (handle_at(pixel)) return tr("Drag resizes %1").arg(Editor_3::words({{}, editor().selection().balls}));
   const auto target = aim().element_at(pixel);
-  if (!target) return tr("Drag turns the scene; with Shift it draws a rectangle that selects");
+  if (!target)
+    return draws_rectangles() ? tr("Drag draws a rectangle that selects; Shift adds, Ctrl toggles")
+                              : tr("Drag turns the scene; with Shift it draws a rectangle that selects");
   return contains(editor().selection(), target->element)
              ? tr("Drag moves %1").arg(Editor_3::words(editor().selection()))
              : tr("Click selects, drag moves");
@@ -68,6 +70,8 @@ bool Select_tool_3::cancel() {
   return true;
 }
 
+bool Select_tool_3::draws_rectangles() const { return selects_by_drag(viewer().mouse_preset()); }
+
 bool Select_tool_3::press_left(const QMouseEvent& event) {
   state_ = State::pressed;
   before_ = editor().selection();
@@ -75,8 +79,9 @@ bool Select_tool_3::press_left(const QMouseEvent& event) {
   deselects_on_release_ = false;
   const bool is_adding = event.modifiers() & adding;
   if (!target_) {
-    if (!is_adding) state_ = State::turning;
-    return is_adding;
+    const bool is_ours = is_adding || draws_rectangles();
+    if (!is_ours) state_ = State::turning;
+    return is_ours;
   }
   if (contains(before_, target_->element)) {
     // It may be the start of a drag of all that is selected, so a click on it acts when the button comes up.
@@ -114,7 +119,9 @@ void Select_tool_3::drag_left(const QMouseEvent& event) {
   } else if (state_ == State::boxing) {
     rectangle_ = QRectF(pressed(), event.position()).normalized();
     const Selection_3 found = aim().inside(rectangle_);
-    editor().select(event.modifiers() & Qt::ControlModifier ? toggled(before_, found) : united(before_, found));
+    editor().select(event.modifiers() & Qt::ControlModifier ? toggled(before_, found)
+                    : event.modifiers() & Qt::ShiftModifier ? united(before_, found)
+                                                            : found);
     viewer().update();
   }
 }
@@ -122,8 +129,8 @@ void Select_tool_3::drag_left(const QMouseEvent& event) {
 void Select_tool_3::release_left(const QMouseEvent& event) {
   const State ended = std::exchange(state_, State::idle);
   const bool is_adding = event.modifiers() & adding;
-  if (ended == State::turning) {
-    if (!is_drag(event)) editor().select({});
+  if (ended == State::turning || (ended == State::pressed && !target_)) {
+    if (!is_drag(event) && !is_adding) editor().select({});
   } else if (ended == State::pressed && target_ && deselects_on_release_) {
     editor().select(is_adding ? toggled(before_, target_->element) : target_->element);
   } else if (ended == State::boxing) {

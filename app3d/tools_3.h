@@ -100,7 +100,8 @@ class Turn_tool_3 : public Tool_3 {
 };
 
 /// Click selects; drag on something moves the selection, on a handle resizes it, elsewhere turns the scene; drag with
-/// Shift or Ctrl from where nothing is draws a rectangle.
+/// Shift or Ctrl from where nothing is draws a rectangle, and where the hands of the preset turn with another button,
+/// every drag from there.
 class Select_tool_3 : public Tool_3 {
   Q_OBJECT
  public:
@@ -118,6 +119,8 @@ class Select_tool_3 : public Tool_3 {
 
  private:
   enum class State { idle, pressed, turning, moving, boxing };
+  /// Also without Shift or Ctrl.
+  bool draws_rectangles() const;
   Point_3 shift_to(const QMouseEvent& event);
 
   State state_ = State::idle;

@@ -91,7 +91,10 @@ void Viewer_3::set_scene(Scene scene) {
   scene_ = std::move(scene);
   ids_view_.reset();
   const Box box = drawn_box(scene_);
+  // Which would take the middle of the box for the pivot.
+  const qglviewer::Vec pivot = camera()->pivotPoint();
   if (box.diagonal() > 0) setSceneBoundingBox(to_vec(box.lower), to_vec(box.upper));
+  camera()->setPivotPoint(pivot);
   QOpenGLWidget::update();
 }
 

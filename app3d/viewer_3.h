@@ -76,6 +76,7 @@ class Viewer_3 : public QGLViewer {
   /// Turns about any direction, like a ball under the mouse; else about up(), like a turntable.
   void set_free_turning(bool is_free);
   void set_mouse_preset(Mouse_preset preset);
+  Mouse_preset mouse_preset() const { return mouse_preset_; }
   /// What is painted over the scene.
   void set_marks(bool has_gizmo, bool has_scale_bar);
   /// Marks stay above this child widget while it is visible.
@@ -150,6 +151,7 @@ class Viewer_3 : public QGLViewer {
   QTimer pivot_time_;
   std::optional<Scene_layer> pivot_;
   std::unique_ptr<Gl_renderer_3> renderer_;
+  Mouse_preset mouse_preset_ = Mouse_preset::standard;
   Point_3 up_{0, 1, 0};
   bool has_gizmo_ = true;
   bool has_scale_bar_ = true;

@@ -175,6 +175,7 @@ void Viewer_3::set_free_turning(bool is_free) {
 }
 
 void Viewer_3::set_mouse_preset(Mouse_preset preset) {
+  mouse_preset_ = preset;
   clearMouseBindings();
   for (const Mouse_binding& binding : mouse_bindings(preset)) {
     const MouseAction action = binding.drag == Camera_drag::turn   ? ROTATE

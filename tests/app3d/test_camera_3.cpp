@@ -191,18 +191,23 @@ TEST_F(Camera_in_window, AViewIsCopiedAndPastedWithPlaneAndKeyFrames) {
 }
 
 TEST_F(Camera_in_window, MousePresetsSayWhichButtonTurns) {
-  const QPoint middle = viewer().rect().center();
+  const QPoint beside(20, viewer().height() / 2);
   const auto turns = [&](Qt::MouseButton button) {
     const View_3 before = viewer().view();
-    drag(button, middle, middle + QPoint(70, 0));
+    drag(button, beside, beside + QPoint(70, 0));
     return distance(before.camera.axes().back, back()) > 0.05;
   };
   EXPECT_TRUE(turns(Qt::LeftButton));
   EXPECT_FALSE(turns(Qt::MiddleButton));
   for (const char* preset : {"mouse-blender", "mouse-cad"}) {
     trigger(preset);
+    EXPECT_TRUE(turns(Qt::LeftButton));
+    EXPECT_TRUE(turns(Qt::MiddleButton));
+    // There the button of the tool that selects is its own.
+    trigger("tool-select");
     EXPECT_FALSE(turns(Qt::LeftButton));
     EXPECT_TRUE(turns(Qt::MiddleButton));
+    trigger("tool-turn");
   }
   // Another window remembers.
   open_ball();

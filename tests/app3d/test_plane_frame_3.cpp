@@ -105,10 +105,10 @@ TEST(View_history_3, HasTheNewestHundredAndNoneTwice) {
   EXPECT_EQ(history.take(view), std::nullopt);
 }
 
-TEST(Mouse_preset_3, NamesReadBackAndGesturesAreThree) {
+TEST(Mouse_preset_3, NamesReadBackAndGesturesAreInWords) {
   for (const auto preset : {Mouse_preset::standard, Mouse_preset::blender, Mouse_preset::cad}) {
     EXPECT_EQ(preset_named(preset_name(preset)), preset);
-    EXPECT_EQ(camera_gestures(preset).size(), 3U);
+    EXPECT_EQ(camera_gestures(preset).size(), selects_by_drag(preset) ? 4U : 3U);
     for (const Gesture& gesture : camera_gestures(preset)) EXPECT_FALSE(gesture.first.isEmpty());
   }
   EXPECT_EQ(preset_named("unheard-of"), Mouse_preset::standard);

@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStatusBar>
+#include <algorithm>
 #include <array>
 
 #include "app3d/sight_3.h"
@@ -103,6 +105,41 @@ TEST_F(Window_editing_3, RectanglesSelectCentersAndPlainDragsTurn) {
   drag({4, 4}, {64, 4});
   EXPECT_GT(distance(viewer().view().camera.position, before.camera.position), 0.1);
   EXPECT_EQ(editor().selection(), (Selection_3{{}, {1}}));
+}
+
+TEST_F(Window_editing_3, LeftDragsDoWhatTheHintSaysWithTheHabitsOfEveryProgram) {
+  const QPoint middle{viewer().width() / 2, viewer().height() - 4};
+  const auto hint_there = [&] {
+    hover(QPointF(4, 4));
+    const auto labels = window_->statusBar()->findChildren<QLabel*>();
+    return std::ranges::any_of(labels, [](const QLabel* label) { return label->text().startsWith("Drag draws"); });
+  };
+  for (const char* preset : {"mouse-blender", "mouse-cad"}) {
+    use(preset);
+    use("tool-select");
+    EXPECT_TRUE(hint_there()) << preset;
+    const View_3 before = viewer().view();
+    editor().select({{}, {1}});
+    drag({4, 4}, middle);
+    EXPECT_EQ(editor().selection(), (Selection_3{{}, {0}})) << preset;
+    drag({viewer().width() - 4, 4}, middle, Qt::ShiftModifier);
+    EXPECT_EQ(editor().selection(), (Selection_3{{}, {0, 1}})) << preset;
+    EXPECT_EQ(viewer().view(), before) << preset;
+    click({5, 5});
+    EXPECT_TRUE(editor().selection().is_empty()) << preset;
+    // Tools that add nothing by a drag leave it to the camera.
+    for (const char* tool : {"tool-turn", "tool-balls"}) {
+      use(tool);
+      const View_3 seen = viewer().view();
+      drag({4, 4}, {64, 4});
+      EXPECT_GT(distance(viewer().view().camera.position, seen.camera.position), 0.1) << preset << ", " << tool;
+      viewer().set_view(before);
+    }
+  }
+  use("mouse-standard");
+  use("tool-select");
+  EXPECT_FALSE(hint_there());
+  EXPECT_EQ(history().count(), 0);
 }
 
 TEST_F(Window_editing_3, ADragMovesAcrossTheLineOfSightAndUndoTakesItBack) {
