@@ -18,6 +18,10 @@ constexpr const char* repair_automatic = "auto";
 constexpr const char* repair_off = "off";
 constexpr const char* repair_wrap = "wrap";
 
+constexpr const char* ball_source_automatic = "automatic";
+constexpr const char* ball_source_given = "given";
+constexpr const char* ball_source_computed = "computed";
+
 Solid_3 compute_solid(Context& context) {
   const auto mesh = context.input(mesh_input);
   if (!mesh) throw Unavailable("there is no mesh: open one (off, obj, ply or stl)");
@@ -42,14 +46,38 @@ Ball_approximation_3 compute_approximation(Context& context) {
   return result;
 }
 
-std::vector<Ball_3> compute_balls(Context& context) {
-  if (const auto given = context.input(balls_input); given && !given->empty()) {
-    const double part = context.setting(given_perturbation_setting);
-    return part > 0 ? perturbed(*given, part) : *given;
-  }
+/// Given balls, moved as given-perturbation says; none where there are none.
+std::vector<Ball_3> balls_that_were_given(Context& context) {
+  const auto given = context.input(balls_input);
+  if (!given || given->empty()) return {};
+  const double part = context.setting(given_perturbation_setting);
+  return part > 0 ? perturbed(*given, part) : *given;
+}
+
+/// Those of a mesh or of points.
+std::vector<Ball_3> balls_that_were_computed(Context& context) {
   if (const auto cloud = context.input(cloud_input); !context.input(mesh_input) && cloud && !cloud->empty())
     return inner_polar_balls(*context.get(polar_balls_3_key), context.setting(perturbation_setting));
   return context.get(ball_approximation_3_key)->balls;
+}
+
+std::vector<Ball_3> compute_balls(Context& context) {
+  const std::string source = context.setting(ball_source_3_setting);
+  if (source == ball_source_computed) return balls_that_were_computed(context);
+  std::vector<Ball_3> balls = balls_that_were_given(context);
+  if (source == ball_source_given) {
+    if (balls.empty()) throw Unavailable("there are no given balls: add or open some, or choose another ball-source");
+    return balls;
+  }
+  if (balls.empty()) return balls_that_were_computed(context);
+  if (!context.input(mesh_input)) return balls;
+  try {
+    const auto approximation = context.get(ball_approximation_3_key);
+    balls.insert(balls.end(), approximation->balls.begin(), approximation->balls.end());
+  } catch (const Unavailable& error) {
+    context.warn("Given balls alone: the mesh has none. " + std::string(error.what()));
+  }
+  return balls;
 }
 
 /// Who looks at the balls of a mesh wants to know how well they stand for it.
@@ -81,6 +109,19 @@ Element_description describe_ball(Context& context, std::size_t element) {
 }
 
 void add_settings(Registry& registry) {
+  {
+    Setting_spec setting;
+    setting.id = ball_source_3_setting.id;
+    setting.label = "Balls from";
+    setting.help =
+        "Where structures of a union of balls take their balls from. automatic: given balls together with those of the "
+        "mesh; without a mesh the given ones, or if there are none those of the points. given: the balls that were "
+        "added or read. computed: those of the mesh or of the points.";
+    setting.default_value = std::string(ball_source_automatic);
+    setting.choices = {ball_source_automatic, ball_source_given, ball_source_computed};
+    setting.tags = {"union", "balls"};
+    registry.add_setting(std::move(setting));
+  }
   {
     Setting_spec setting;
     setting.id = repair_setting.id;
@@ -148,8 +189,10 @@ void add_settings(Registry& registry) {
 }  // namespace
 
 bool are_balls_of_mesh(Context& context) {
+  const std::string source = context.setting(ball_source_3_setting);
+  if (source == ball_source_given || !context.input(mesh_input)) return false;
   const auto given = context.input(balls_input);
-  return (!given || given->empty()) && context.input(mesh_input) != nullptr;
+  return source == ball_source_computed || !given || given->empty();
 }
 
 void register_samples_3(Registry& registry) {
@@ -178,9 +221,9 @@ void register_samples_3(Registry& registry) {
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
   Layer_spec balls =
       make_layer("balls", "Balls", stage,
-                 "The balls whose union is looked at: given ones, else the inner poles of the samples, or "
-                 "of points that were read. Of a mesh, statistics tell how far "
-                 "their union is from it. [N. Amenta, S. Choi, R. "
+                 "The balls whose union is looked at: given ones, and after them the inner poles of the samples of a "
+                 "mesh; without both, the inner poles of points that were read. ball-source chooses otherwise. Of a "
+                 "mesh alone, statistics tell how far their union is from it. [N. Amenta, S. Choi, R. "
                  "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
                  {60, 110, 170}, ball_layer);
   balls.describe = describe_ball;

@@ -7,6 +7,8 @@
 namespace mesecina {
 
 inline constexpr Key<Regular_3> regular_3_key{"regular-3"};
+/// The edges of the regular triangulation, as edges_of gives them.
+inline constexpr Key<std::vector<std::array<int, 2>>> regular_edges_3_key{"regular-edges-3"};
 inline constexpr Key<Dual_3> dual_3_key{"dual-3"};
 inline constexpr Key<Union_vertices_3> union_vertices_3_key{"union-vertices-3"};
 inline constexpr Key<Medial_complex_3> medial_axis_3_key{"medial-axis-3"};

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "core/graph.h"
 #include "geometries/delaunay_3/module.h"
@@ -71,6 +73,55 @@ TEST_F(Descriptions_3, OfABallIsItsStarInTheDualComplex) {
     EXPECT_EQ(known.dual.segments.size(), 2u);
   }
   EXPECT_EQ(describe("balls", 3).dual.segments.size(), 0u);
+}
+
+TEST_F(Descriptions_3, OfASimplexAreItsBallsAndItsPartOfThePowerDiagram) {
+  // A small ball in the middle of a crooked cube of others: its power cell is bounded.
+  std::vector<Ball_3> balls{{{0.1, 0.2, 0}, 0.4}};
+  for (const double x : {-1.0, 1.1})
+    for (const double y : {-1.2, 1.0})
+      for (const double z : {-1.0, 1.3}) balls.push_back({{x + 0.1 * z, y - 0.05 * x, z + 0.07 * y}, 1.4 + 0.05 * x});
+  set(Inputs().with(balls_input, balls));
+  const auto power = [&](const Point_3& p, const Ball_3& ball) {
+    return dot(p - ball.center, p - ball.center) - ball.radius * ball.radius;
+  };
+  std::array<std::size_t, 4> bounded{};
+  for (const char* layer : {"regular-triangulation", "dual", "dual-edges", "dual-triangles"}) {
+    const auto drawn = graph_.layer(layer, progress_).value;
+    const std::size_t edges_end = drawn->points.size() + drawn->segments.size();
+    for (std::size_t e = 0; e < drawn->element_count(); ++e) {
+      const Element_description known = describe(layer, e);
+      std::vector<Point_3> corners;
+      if (e < drawn->points.size()) {
+        corners = {drawn->vertices[drawn->points[e]]};
+      } else if (e < edges_end) {
+        for (const int v : drawn->segments[e - drawn->points.size()]) corners.push_back(drawn->vertices[v]);
+      } else {
+        for (const int v : drawn->triangles[e - edges_end]) corners.push_back(drawn->vertices[v]);
+      }
+      ASSERT_EQ(known.dual.balls.size(), corners.size()) << layer << ", " << e;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        EXPECT_EQ(known.dual.vertices[known.dual.balls[i].center], corners[i]) << layer << ", " << e;
+      // What comes after the centers are points of the power diagram: as near to the balls, and to none nearer.
+      for (std::size_t v = corners.size(); v < known.dual.vertices.size(); ++v) {
+        const Point_3& p = known.dual.vertices[v];
+        double least = power(p, balls[0]);
+        for (const Ball_3& ball : balls) least = std::min(least, power(p, ball));
+        for (const Ball& ball : known.dual.balls)
+          EXPECT_NEAR(power(p, {known.dual.vertices[ball.center], ball.radius}), least, 1e-6) << layer << ", " << e;
+      }
+      bounded[corners.size()] += known.dual.polygon_count() + known.dual.segments.size();
+      const bool is_of_dual = std::string_view(layer).starts_with("dual");
+      EXPECT_EQ(text(known, "in the dual complex") != "none", is_of_dual);
+      EXPECT_NE(text(known, corners.size() == 1 ? "ball" : "balls"), "none");
+    }
+    EXPECT_TRUE(describe(layer, drawn->element_count()).facts.empty());
+  }
+  EXPECT_EQ(bounded[1], 0u);
+  EXPECT_GE(bounded[2], 8u) << "faces between the middle and the corners";
+  EXPECT_GT(bounded[3], 0u);
+  EXPECT_EQ(text(describe("regular-triangulation", 0), "neighbours in the regular triangulation"), "8");
+  EXPECT_EQ(text(describe("regular-triangulation", 0), "radius"), "0.4");
 }
 
 TEST_F(Descriptions_3, OfADelaunayTriangleIsTheVoronoiEdgeAndOfAVoronoiFaceItsSamples) {
