@@ -68,7 +68,7 @@ struct Picture_writer {
 };
 
 /// Writes inputs back, losslessly: reading the file gives equal inputs. (Only the order of an outline's rings may
-/// change: holes follow their outer ring.)
+/// change: holes follow their outer ring; and STL keeps what its format can, triangles in single precision.)
 struct Input_writer {
   std::string name;
   std::string extension;
@@ -98,7 +98,7 @@ struct Formats {
 Formats planar_formats();
 
 /// Every format of space that needs no Qt: meshes (off obj ply stl), points and balls (xyz pts pwn csv txt cin woff
-/// moff ma); json csv ply off obj ma woff moff out.
+/// moff ma); json csv ply off obj stl ma woff moff out.
 Formats spatial_formats();
 
 /// Reads a file with the reader of its extension. Throws File_error also for a missing file, a directory, an unreadable

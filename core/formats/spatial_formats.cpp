@@ -34,6 +34,7 @@ Formats spatial_formats() {
       {"obj", "obj",
        "Wavefront: triangles and polygons, lines and points beside them; balls as their centers, no rays, no values",
        write_obj_layer},
+      {"stl", "stl", "binary, single precision: triangles, and polygons as triangles; nothing else", write_stl_layer},
       {"ma", "ma",
        "medial mesh of Q-MAT, MATFP and Blender's MAT add-on: vertices with radius, edges, triangles; only for layers "
        "with radii",
@@ -50,6 +51,7 @@ Formats spatial_formats() {
       {"off", "off", std::string(mesh_input.id), write_off_mesh},
       {"obj", "obj", std::string(mesh_input.id), write_obj_mesh},
       {"ply", "ply", std::string(mesh_input.id), write_ply_mesh},
+      {"stl", "stl", std::string(mesh_input.id), write_stl_mesh},
   };
   return formats;
 }

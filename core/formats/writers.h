@@ -39,6 +39,11 @@ void write_ply_layer(std::ostream& stream, const Layer_document& document);
 /// their vertices; rays and arcs are left out. What is lost is said in comments, which follow the first line.
 void write_off_layer(std::ostream& stream, const Layer_document& document);
 
+/// Binary STL: triangles, and polygons as triangles, each with a normal and its own corners, in single precision. The
+/// header has the start of the reason, and counts what is left out: all else, and polygons that append_triangles
+/// refuses. Throws std::invalid_argument for coordinates beyond single precision.
+void write_stl_layer(std::ostream& stream, const Layer_document& document);
+
 /// Medial mesh as Q-MAT, MATFP and the MAT add-on of Blender read it: "n e f", vertices "v x y z radius", edges "e i j"
 /// (segments, and the edges of faces, each once, in increasing order), faces "f i j k" (triangles, and polygons as fans
 /// of their first vertex). Radii are those of vertex_radii; a layer of balls alone has a vertex per ball. A layer
@@ -68,6 +73,9 @@ void write_off_mesh(std::ostream& stream, const Inputs& inputs);
 /// As write_off_mesh; without vertices a comment alone, which is not read.
 void write_obj_mesh(std::ostream& stream, const Inputs& inputs);
 void write_ply_mesh(std::ostream& stream, const Inputs& inputs);
+/// As write_stl_layer. Read again, coordinates are rounded to single precision, vertices are in the order of the
+/// triangles, those in one place are one, and those of no triangle are gone.
+void write_stl_mesh(std::ostream& stream, const Inputs& inputs);
 
 /// Rings become the outer rings and holes of polygons by how they contain one another. Every ring keeps its first
 /// vertex and direction; holes are written after their outer ring. Rings that cross each other or themselves have no
