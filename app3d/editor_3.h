@@ -65,6 +65,14 @@ class Editor_3 : public QObject {
   void remove_selected();
   /// The copies are beside the originals by this much, and selected.
   void duplicate(const Point_3& shift);
+  /// The selected points and balls as rows of text; does nothing where none are.
+  void copy() const;
+  void cut();
+  /// Adds what the rows of the clipboard are, and selects it.
+  void paste();
+  /// Rows "x y z" or "x y z radius", like in a table file, or both. False, with a message, and nothing is added, where
+  /// the text is not that.
+  bool paste_text(const QString& text);
   /// Transforms what there was in `start`. Steps with the same merge key are one.
   void transform(const Inputs& start, const Transform_3& transform, const QString& merge);
 
@@ -78,6 +86,7 @@ class Editor_3 : public QObject {
  private:
   void react(const Document_change& change);
   void edit(Inputs inputs, Selection_3 selection, const QString& text, const QString& merge = {});
+  void add(const Inputs& pasted);
   void show_layer(std::string_view layer, const QString& text, const QString& merge);
   void remember_radius();
   QString merge_key(const QString& kind) const;

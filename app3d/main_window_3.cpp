@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app3d/main_window_3.h"
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QStatusBar>
 #include <algorithm>
@@ -33,7 +34,7 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
   editor_ = new Editor_3(document_, this);
   files_ = new Files_3(document_, formats_, this);
   set_files(files_);
-  build_panels();
+  build_docks();
   build_status_bar();
   selected_ = new QLabel(this);
   statusBar()->insertPermanentWidget(1, selected_);
@@ -89,6 +90,17 @@ void Main_window_3::build_canvas() {
   message->setFocusPolicy(Qt::StrongFocus);
   canvas_ = message;
   build_center(canvas_);
+}
+
+void Main_window_3::build_docks() {
+  build_panels();
+  balls_table_ = new Input_table_3(Rows_3::balls, *editor_, this);
+  points_table_ = new Input_table_3(Rows_3::points, *editor_, this);
+  QDockWidget* balls = add_dock(QStringLiteral("balls-dock"), tr("Balls"), balls_table_, Qt::RightDockWidgetArea);
+  QDockWidget* points = add_dock(QStringLiteral("points-dock"), tr("Points"), points_table_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(settings_dock_, balls);
+  tabifyDockWidget(balls, points);
+  settings_dock_->raise();
 }
 
 void Main_window_3::showEvent(QShowEvent* event) {

@@ -10,6 +10,7 @@
 #include "app3d/files_3.h"
 #include "app3d/generators_3.h"
 #include "app3d/hover_3.h"
+#include "app3d/input_table_3.h"
 #include "app3d/plane_handle_3.h"
 #include "app3d/tools_3.h"
 #include "app3d/viewer_3.h"
@@ -37,6 +38,8 @@ class Main_window_3 : public Program_window {
   Camera_player_3* player() { return player_.get(); }
   Files_3& files() { return *files_; }
   Editor_3& editor() { return *editor_; }
+  Input_table_3& points_table() { return *points_table_; }
+  Input_table_3& balls_table() { return *balls_table_; }
   /// Does nothing without OpenGL.
   void use_tool(const QString& id);
   void finish_drawing() override;
@@ -50,6 +53,7 @@ class Main_window_3 : public Program_window {
 
  private:
   void build_canvas();
+  void build_docks();
   void make_actions();
   void make_file_actions();
   void make_save_actions();
@@ -98,6 +102,8 @@ class Main_window_3 : public Program_window {
   Viewer_3* viewer_ = nullptr;
   Files_3* files_ = nullptr;
   Editor_3* editor_ = nullptr;
+  Input_table_3* points_table_ = nullptr;
+  Input_table_3* balls_table_ = nullptr;
   QLabel* selected_ = nullptr;
   QLabel* readout_ = nullptr;
   std::map<QString, Tool_3*> tools_;  ///< empty without OpenGL

@@ -48,6 +48,13 @@ void Main_window_3::make_edit_actions() {
   };
   add("delete", tr("&Delete"), tr("Delete the selected balls and points"), {QKeySequence(Qt::Key_Delete)},
       [this] { editor_->remove_selected(); });
+  add("cut", tr("Cu&t"), tr("Copy the selected balls and points as text and delete them"),
+      {QKeySequence(Qt::CTRL | Qt::Key_X)}, [this] { editor_->cut(); });
+  add("copy", tr("&Copy"),
+      tr("Copy the selected balls and points as text, one \"x y z radius\" or \"x y z\" per line, as spreadsheets do"),
+      {QKeySequence(Qt::CTRL | Qt::Key_C)}, [this] { editor_->copy(); });
+  add("paste", tr("&Paste"), tr("Add balls or points from text, one \"x y z radius\" or \"x y z\" per line"),
+      {QKeySequence(Qt::CTRL | Qt::Key_V)}, [this] { editor_->paste(); });
   add("duplicate", tr("D&uplicate"), tr("Copies of the selected balls and points beside them"),
       {QKeySequence(Qt::CTRL | Qt::Key_D)}, [this] {
         if (!viewer_) return;
@@ -93,10 +100,12 @@ void Main_window_3::make_tool_actions() {
     choices->addAction(action);
   };
   const bool is_drawn = viewer_ != nullptr;
-  add("tool-turn", tr("&Turn the scene"), tr("Drag turns the scene, as it does with every tool where nothing is"),
-      Qt::Key_T, Tool_icon::turn, is_drawn ? new Turn_tool_3(*editor_, *viewer_) : nullptr);
+  add("tool-turn", tr("&Turn the scene"),
+      tr("Drag turns the scene, as it does with the tools that add, and where nothing is"), Qt::Key_T, Tool_icon::turn,
+      is_drawn ? new Turn_tool_3(*editor_, *viewer_) : nullptr);
   add("tool-select", tr("&Select and move"),
-      tr("Click selects balls and points, drag moves them or resizes by a handle, Shift+drag draws a rectangle"),
+      tr("Click selects balls and points, drag moves them or resizes by a handle, Shift+drag from nothing draws a "
+         "rectangle"),
       Qt::Key_V, Tool_icon::select, is_drawn ? new Select_tool_3(*editor_, *viewer_) : nullptr);
   add("tool-points", tr("Add &points"),
       tr("Every click adds a point: on what is there, on the cutting plane or in the middle"), Qt::Key_P,
@@ -117,8 +126,8 @@ void Main_window_3::make_insert_actions() {
 
 void Main_window_3::make_editing_menus() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  actions_->add_to(edit, {"undo", "redo", "-", "delete", "duplicate", "-", "select-all", "select-none",
-                          "invert-selection", "escape", "-", "coordinates", "transform", "copy-facts"});
+  actions_->add_to(edit, {"undo", "redo", "-", "cut", "copy", "paste", "duplicate", "delete", "-", "select-all",
+                          "select-none", "invert-selection", "escape", "-", "coordinates", "transform", "copy-facts"});
   QMenu* insert = menuBar()->addMenu(tr("&Insert"));
   insert->setToolTipsVisible(true);
   Product_3 last = generators_3().front().product;
@@ -196,7 +205,7 @@ void Main_window_3::show_readout(const QString& text, const QPointF& pixel) {
 void Main_window_3::show_selection() {
   const Selection_3& selection = editor_->selection();
   selected_->setText(selection.is_empty() ? QString() : tr("%1 selected").arg(Editor_3::words(selection)));
-  for (const char* id : {"delete", "duplicate", "coordinates", "select-none"})
+  for (const char* id : {"delete", "cut", "copy", "duplicate", "coordinates", "select-none"})
     (*actions_)[QLatin1String(id)]->setEnabled(!selection.is_empty());
   if (viewer_) viewer_->update();
 }
