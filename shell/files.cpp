@@ -338,6 +338,12 @@ QString Files::choose_for_writing(const QString& title, const QString& suggestio
   return dialog.selectedFiles().front();
 }
 
+QString Files::choose_for_reading(const QString& title, const QString& filters) {
+  const QString path = QFileDialog::getOpenFileName(window_, title, last_folder(), filters);
+  if (!path.isEmpty()) remember_folder(path);
+  return path;
+}
+
 QString Files::choose_folder(const QString& title) {
   return QFileDialog::getExistingDirectory(window_, title, last_folder());
 }

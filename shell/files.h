@@ -71,6 +71,8 @@ class Files : public QObject {
   void choose_and_open(bool is_added);
   /// Empty when the user gave up. `filters` as for QFileDialog.
   QString choose_for_writing(const QString& title, const QString& suggestion, const QString& filters);
+  /// Empty when the user gave up. `filters` as for QFileDialog.
+  QString choose_for_reading(const QString& title, const QString& filters);
   QString choose_folder(const QString& title);
 
   Background_jobs& jobs() { return jobs_; }

@@ -225,26 +225,6 @@ void Program_window::make_layer_actions() {
   });
 }
 
-void Program_window::make_settings_actions() {
-  const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key,
-                       std::function<void()> run) {
-    return actions_->add(tr("Settings"), {QLatin1String(id), text, tip, {key}}, std::move(run));
-  };
-  add("find-setting", tr("Find a se&tting"), tr("Type a part of its name or of what it does"),
-      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), [this] {
-        settings_dock_->show();
-        settings_dock_->raise();
-        settings_browser_->search({});
-      });
-  QAction* reset_listed = add("reset-listed-settings", tr("Reset &listed settings"),
-                              tr("Give the settings that are listed their defaults"), {}, [this] {
-                                Settings settings = document_.settings();
-                                for (const std::string& id : settings_panel_->listed()) settings = settings.without(id);
-                                document_.edit_settings(settings, tr("Reset settings"));
-                              });
-  settings_browser_->set_menu_actions({reset_listed});
-}
-
 void Program_window::make_look_actions() {
   const QString group = tr("View");
   const auto add_choice = [&](QActionGroup* choices, const char* id, const QString& text, const QString& tip,

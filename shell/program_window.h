@@ -96,7 +96,7 @@ class Program_window : public QMainWindow {
   /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection.
   void make_nudge_actions(const std::function<void(int right, int up)>& nudge);
   void make_layer_actions();
-  /// To find and reset settings.
+  /// To find, reset, save and load settings.
   void make_settings_actions();
   /// Themes, background, full screen.
   void make_look_actions();
@@ -153,6 +153,8 @@ class Program_window : public QMainWindow {
  private:
   void show_layer(const std::string& layer);
   void edit_cut(const QString& setting, double value, const QString& merge);
+  void save_settings(const QString& title, const std::vector<std::string>& ids);
+  void load_settings(const QString& path);
   void set_theme(Theme theme);
   void set_background(Canvas_background background);
   bool may_close();
