@@ -3,6 +3,7 @@
 
 #include "geometries/delaunay_3/module.h"
 #include "geometries/delaunay_parts_3/module.h"
+#include "geometries/evolutions_3/module.h"
 #include "geometries/inputs_3/module.h"
 #include "geometries/internals_3/module.h"
 #include "geometries/medial_features_3/module.h"
@@ -34,6 +35,7 @@ std::shared_ptr<const Registry> make_registry_3() {
   register_surface_3(*registry);
   register_surface_error_3(*registry);
   register_internals_3(*registry);
+  register_evolutions_3(*registry);
   return registry;
 }
 

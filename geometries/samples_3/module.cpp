@@ -18,10 +18,6 @@ constexpr const char* repair_automatic = "auto";
 constexpr const char* repair_off = "off";
 constexpr const char* repair_wrap = "wrap";
 
-constexpr const char* ball_source_automatic = "automatic";
-constexpr const char* ball_source_given = "given";
-constexpr const char* ball_source_computed = "computed";
-
 Solid_3 compute_solid(Context& context) {
   const auto mesh = context.input(mesh_input);
   if (!mesh) throw Unavailable("there is no mesh: open one (off, obj, ply or stl)");
@@ -63,9 +59,9 @@ std::vector<Ball_3> balls_that_were_computed(Context& context) {
 
 std::vector<Ball_3> compute_balls(Context& context) {
   const std::string source = context.setting(ball_source_3_setting);
-  if (source == ball_source_computed) return balls_that_were_computed(context);
+  if (source == ball_source_3_computed) return balls_that_were_computed(context);
   std::vector<Ball_3> balls = balls_that_were_given(context);
-  if (source == ball_source_given) {
+  if (source == ball_source_3_given) {
     if (balls.empty()) throw Unavailable("there are no given balls: add or open some, or choose another ball-source");
     return balls;
   }
@@ -117,8 +113,8 @@ void add_settings(Registry& registry) {
         "Where structures of a union of balls take their balls from. automatic: given balls together with those of the "
         "mesh; without a mesh the given ones, or if there are none those of the points. given: the balls that were "
         "added or read. computed: those of the mesh or of the points.";
-    setting.default_value = std::string(ball_source_automatic);
-    setting.choices = {ball_source_automatic, ball_source_given, ball_source_computed};
+    setting.default_value = std::string(ball_source_3_automatic);
+    setting.choices = {ball_source_3_automatic, ball_source_3_given, ball_source_3_computed};
     setting.tags = {"union", "balls"};
     registry.add_setting(std::move(setting));
   }
@@ -190,9 +186,9 @@ void add_settings(Registry& registry) {
 
 bool are_balls_of_mesh(Context& context) {
   const std::string source = context.setting(ball_source_3_setting);
-  if (source == ball_source_given || !context.input(mesh_input)) return false;
+  if (source == ball_source_3_given || !context.input(mesh_input)) return false;
   const auto given = context.input(balls_input);
-  return source == ball_source_computed || !given || given->empty();
+  return source == ball_source_3_computed || !given || given->empty();
 }
 
 void register_samples_3(Registry& registry) {

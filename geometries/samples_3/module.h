@@ -14,6 +14,9 @@ inline constexpr Key<Surface_samples_3> surface_samples_3_key{"surface-samples-3
 inline constexpr Key<std::vector<Ball_3>> balls_3_key{"balls-3"};
 
 inline constexpr Setting<std::string> ball_source_3_setting{"ball-source"};
+inline constexpr const char* ball_source_3_automatic = "automatic";
+inline constexpr const char* ball_source_3_given = "given";
+inline constexpr const char* ball_source_3_computed = "computed";
 inline constexpr Setting<std::string> repair_setting{"repair"};
 inline constexpr Setting<double> delta_setting{"delta"};
 inline constexpr Setting<double> perturbation_setting{"perturbation"};

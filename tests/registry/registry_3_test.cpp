@@ -9,7 +9,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/graph.h"
+#include "core/evolution.h"
 #include "geometries/modules_2.h"
 #include "geometries/modules_3.h"
 
@@ -104,6 +104,10 @@ TEST(Registry_3, EveryEntryHasALabelAndItsOwnHelp) {
   };
   for (const Layer_spec& layer : registry->layers()) check(layer.id, layer.label, layer.help);
   for (const Setting_spec& setting : registry->settings()) check(setting.id, setting.label, setting.help);
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    check(evolution.id, evolution.label, evolution.help);
+    for (const std::string& id : evolution.settings) EXPECT_NE(registry->find_setting(id), nullptr) << evolution.id;
+  }
   for (const std::string& id : promised_layers) EXPECT_TRUE(ids.contains(id)) << id;
   EXPECT_EQ(registry->dimension(), 3);
 }
@@ -207,6 +211,53 @@ TEST(Registry_3, DegenerateInputsGiveAValueOrAReasonButNoInternalError) {
       const auto outcome = graph.layer(layer.id, progress);
       EXPECT_TRUE(outcome || !outcome.reason.empty()) << layer.id;
       EXPECT_THAT(outcome.reason, testing::Not(testing::HasSubstr("internal error"))) << layer.id << " of input " << i;
+    }
+  }
+}
+
+TEST(Registry_3, EveryPromisedEvolutionGoesSteps) {
+  const auto registry = make_registry_3();
+  for (const char* id : {"laplacian-smoothing", "noise", "grow-balls", "shrink-balls", "stepped-growing"})
+    EXPECT_NE(registry->find_evolution(id), nullptr) << id;
+  const std::vector<Inputs> inputs = {Inputs().with(mesh_input, torus()),
+                                      Inputs().with(balls_input, balls_of_all_kinds()),
+                                      Inputs().with(cloud_input, torus().vertices)};
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      Graph graph(registry);
+      graph.set_settings(Settings().with("delta", 0.05));
+      graph.set_inputs(inputs[i]);
+      Progress progress;
+      const Evolution_result result = evolve(graph, evolution.id, 3, progress);
+      const bool needs_a_mesh = evolution.id == "laplacian-smoothing" && i > 0;
+      EXPECT_EQ(result.steps_done, needs_a_mesh ? 0u : 3u) << evolution.id << " " << i << ": " << result.end_reason;
+      const auto layer = graph.layer("medial-axis", progress);
+      EXPECT_TRUE(layer) << evolution.id << " " << i << ": " << layer.reason;
+    }
+  }
+}
+
+TEST(Registry_3, EvolutionsOfDegenerateInputsGoOnOrSayWhyNot) {
+  const std::vector<Point_3> triangle = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<Inputs> inputs = {Inputs(),
+                                      Inputs().with(mesh_input, Triangle_mesh_3{triangle, {{0, 1, 2}}}),
+                                      Inputs().with(mesh_input, Triangle_mesh_3{triangle, {{0, 0, 2}, {1, 1, 1}}}),
+                                      Inputs().with(mesh_input, Triangle_mesh_3{triangle, {{0, 1, 2}, {0, 2, 1}}}),
+                                      Inputs().with(mesh_input, Triangle_mesh_3{}),
+                                      Inputs().with(cloud_input, std::vector<Point_3>{{1, 2, 3}}),
+                                      Inputs().with(cloud_input, std::vector<Point_3>{{1, 2, 3}, {1, 2, 3}}),
+                                      Inputs().with(balls_input, std::vector<Ball_3>{{{1, 2, 3}, 0}}),
+                                      Inputs().with(balls_input, std::vector<Ball_3>{{{1, 2, 3}, 1}, {{1, 2, 3}, 1}})};
+  const auto registry = make_registry_3();
+  for (const Evolution_spec& evolution : registry->evolutions()) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      Graph graph(registry);
+      graph.set_inputs(inputs[i]);
+      graph.set_settings(Settings().with("delta", 0.2));
+      Progress progress;
+      const Evolution_result result = evolve(graph, evolution.id, 3, progress);
+      EXPECT_TRUE(result.steps_done == 3 || !result.end_reason.empty());
+      EXPECT_THAT(result.end_reason, testing::Not(testing::HasSubstr("internal error"))) << evolution.id << " " << i;
     }
   }
 }
