@@ -97,7 +97,7 @@ struct Formats {
 /// json csv obj ply out.
 Formats planar_formats();
 
-/// Every format of space that needs no Qt: meshes (off obj ply stl), points and balls (xyz pts pwn csv txt cin woff
+/// Every format of space that needs no Qt: meshes (off obj ply stl inr), points and balls (xyz pts pwn csv txt cin woff
 /// moff ma); json csv ply off obj stl ma woff moff out.
 Formats spatial_formats();
 

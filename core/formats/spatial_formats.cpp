@@ -12,6 +12,7 @@ Formats spatial_formats() {
       {"Wavefront meshes and points", {"obj"}, read_obj},
       {"PLY meshes, points and balls", {"ply"}, read_ply},
       {"STL meshes", {"stl"}, read_stl},
+      {"INRIMAGE volumes, of which the surface at Otsu's threshold is read", {"inr"}, read_inr},
       {"Points and balls in space, one per line", {"xyz", "pts", "pwn", "csv", "txt"}, read_spatial_table},
       {"Weighted points", {"cin"}, read_cin},
       {"WOFF balls", {"woff"}, read_woff},

@@ -26,6 +26,11 @@ File_contents read_ply(const std::filesystem::path& path);
 /// STL, of text or binary. Equal points become one vertex.
 File_contents read_stl(const std::filesystem::path& path);
 
+/// A volume of numbers, INRIMAGE-4: the closed surface around those that reach Otsu's threshold, which a warning names.
+/// One number per place, floats or integers of either byte order; sizes VX, VY, VZ of the cells, and TX, TY, TZ the
+/// place of the first number. Refuses what would give more than 20 million triangles. 16 million numbers take seconds.
+File_contents read_inr(const std::filesystem::path& path);
+
 /// One point or ball per line, in columns separated by blanks, tabs, commas or semicolons; "#" and "//" start comments;
 /// the first line may name the columns. Three columns x y z are points. Four are balls x y z radius in a `.csv` or
 /// `.txt` file, unless the name of the fourth says otherwise. Further columns, such as normals, are dropped with a

@@ -47,6 +47,10 @@ TEST_F(Spatial_data, HasTheNumbersItIsKnownToHave) {
   const auto tray = read_file(formats, folder_ / "tray_bottom.stl").inputs.get(mesh_input);
   EXPECT_EQ(static_cast<int>(tray->vertices.size()) - 4520 / 2, 2 - 2 * 23);
   EXPECT_EQ(read_file(formats, folder_ / "points_kitten.xyz").inputs.get(cloud_input)->size(), 5210u);
+  // Closed: as many edges as one and a half times the triangles.
+  const auto skull = read_file(formats, folder_ / "image_skull_2.9.inr").inputs.get(mesh_input);
+  EXPECT_GT(skull->triangles.size(), 20000u);
+  EXPECT_EQ(skull->triangles.size() % 2, 0u);
   const auto atoms = read_file(formats, folder_ / "balls_caffeine.cin").inputs.get(balls_input);
   EXPECT_EQ(atoms->size(), 23u);
   EXPECT_DOUBLE_EQ(atoms->at(0).radius, std::sqrt(0.46875));
