@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
   }
   const auto& command_line = std::get<mesecina::Command_line>(parsed);
   if (command_line.nogui) return run_without_window(command_line, registry, formats);
-  return mesecina::start_window(argc, argv, command_line, registry, std::move(formats));
+  return mesecina::start_window(argc, argv, command_line, registry, formats);
 }
 
 }  // namespace

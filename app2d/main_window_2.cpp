@@ -60,6 +60,7 @@ Main_window_2::Main_window_2(const std::shared_ptr<const Registry>& registry, Fo
   make_menus();
   make_tool_bar();
   connect_parts();
+  make_own_commands();
   restore();
   use_tool(QStringLiteral("tool-select"));
   canvas_->fit(bounding_box(document_.inputs()));

@@ -62,6 +62,10 @@ class Main_window_2 : public Program_window {
   void make_menus();
   void make_tool_bar();
   void connect_parts();
+  void make_own_commands();
+  void make_insert_commands();
+  void make_selection_commands();
+  void make_view_commands();
 
   void show_overlay();
   void show_hover(const Canvas_event& event);
@@ -73,6 +77,10 @@ class Main_window_2 : public Program_window {
   void open_menu(const QPointF& pixel);
   void generate(const Generator_2& generator);
   void export_picture();
+  /// What is in view, in a picture of this size in pixels.
+  void write_picture(const QString& path, int width, int height, bool is_transparent);
+  /// "fit", or four sides. Throws Command_error.
+  void view_box(const QStringList& words);
   void export_layers();
 
   Canvas_2* canvas_ = nullptr;

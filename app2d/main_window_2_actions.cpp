@@ -153,12 +153,13 @@ void Main_window_2::make_view_actions() {
   make_settings_actions();
   make_look_actions();
 
+  make_command_actions();
   const QString help = tr("Help");
   actions_->add(help,
                 {QStringLiteral("keys"),
                  tr("&Keys and mouse"),
                  tr("Every key and what the mouse does"),
-                 {QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)}},
+                 {QKeySequence(Qt::Key_Question)}},
                 [this] {
                   const std::vector<Gesture> gestures = {
                       {tr("Left"), tr("Select, move, or what the tool does")},
@@ -230,7 +231,7 @@ void Main_window_2::make_menus() {
 
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
-  actions_->add_to(help, {"keys", "about"});
+  actions_->add_to(help, {"palette", "keys", "shortcuts", "whats-this", "-", "about"});
 }
 
 void Main_window_2::make_tool_bar() {
@@ -269,12 +270,7 @@ void Main_window_2::export_picture() {
   open_popover(open_picture_popover(start, canvas_, [this](int width, int height, bool is_transparent) {
     const QString path = files_->choose_for_writing(tr("Export picture"), files_->stem(),
                                                     tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"));
-    if (path.isEmpty()) return;
-    Scene scene = computation_.scene(background());
-    scene.transparent_background = is_transparent;
-    View_2 view = canvas_->view();
-    view.scale *= std::min(double(width) / canvas_->width(), double(height) / canvas_->height());
-    files_->export_picture(path, std::move(scene), view, width, height);
+    if (!path.isEmpty()) write_picture(path, width, height, is_transparent);
   }));
 }
 

@@ -38,17 +38,23 @@ Box generator_box(const Inputs& inputs, const Canvas_2& canvas) {
   return box;
 }
 
+Generator_order_2 usual_order(const Generator_2& generator, const Inputs& inputs, const Canvas_2& canvas) {
+  Generator_order_2 order;
+  order.inputs = inputs;
+  order.box = generator_box(inputs, canvas);
+  order.count = generator.usual_count;
+  const double side = std::min(order.box.upper.x - order.box.lower.x, order.box.upper.y - order.box.lower.y);
+  constexpr int digits = 2;
+  order.least_radius = rounded_to(0.02 * side, digits);
+  order.greatest_radius = rounded_to(0.08 * side, digits);
+  order.relative_radius = 0.6;
+  return order;
+}
+
 Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, QWidget* over) {
   const auto translated = [](const char* text) { return QCoreApplication::translate("generators", text); };
-  const auto order = std::make_shared<Generator_order_2>();
-  order->inputs = editor.document().inputs();
-  order->box = generator_box(order->inputs, editor.canvas());
-  order->count = generator.usual_count;
-  const double side = std::min(order->box.upper.x - order->box.lower.x, order->box.upper.y - order->box.lower.y);
-  constexpr int digits = 2;
-  order->least_radius = rounded_to(0.02 * side, digits);
-  order->greatest_radius = rounded_to(0.08 * side, digits);
-  order->relative_radius = 0.6;
+  const auto order =
+      std::make_shared<Generator_order_2>(usual_order(generator, editor.document().inputs(), editor.canvas()));
   if (generated(generator, *order).is_empty()) {
     Q_EMIT editor.failed(QObject::tr("%1: there is nothing to start from; draw or open an outline or points first.")
                              .arg(translated(generator.label)));

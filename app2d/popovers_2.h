@@ -15,6 +15,9 @@ class QSize;
 
 namespace mesecina {
 
+/// What a generator makes where the user has not said otherwise.
+Generator_order_2 usual_order(const Generator_2& generator, const Inputs& inputs, const Canvas_2& canvas);
+
 /// Points or disks appear as soon as it opens and follow its numbers; all of that is one step of undo. It closes when
 /// something else changes the inputs. Null, with a message, when the generator finds nothing to start from.
 Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, QWidget* over);

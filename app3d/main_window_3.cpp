@@ -46,6 +46,7 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
   connect_editing();
   use_tool(QStringLiteral("tool-turn"));
   show_selection();
+  make_own_commands();
   restore();
   restore_camera_habits();
   start(startup, QStringLiteral("scale-axis"));

@@ -75,11 +75,17 @@ class Main_window_3 : public Program_window {
   void make_editing_menus();
   void make_tool_bar();
   void connect_editing();
+  void make_own_commands();
+  void make_insert_commands();
+  void make_selection_commands();
+  void make_view_commands();
   void show_selection();
   void show_tool(const QPointF& pixel);
   /// Beside this pixel of the viewer; nothing for an empty text.
   void show_readout(const QString& text, const QPointF& pixel);
   void generate(const Generator_3& generator);
+  /// Where a generator puts what it makes: the center and half the side of a cube.
+  std::pair<Point_3, double> usual_place() const;
   void show_hover();
   /// All of the data from the front, a little from the right and above.
   View_3 first_view() const;
@@ -96,6 +102,10 @@ class Main_window_3 : public Program_window {
   /// Throws std::invalid_argument.
   void read_view(const std::string& text);
   void paste_view();
+  /// As the viewer has it; without one, of all the data.
+  View_3 seen_view() const;
+  /// "fit", a view file or its text. Throws Command_error.
+  void view_text_or_file(const QString& text);
   void open_plane_popover();
 
   QWidget* canvas_ = nullptr;

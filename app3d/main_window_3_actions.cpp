@@ -61,12 +61,13 @@ void Main_window_3::make_file_actions() {
 }
 
 void Main_window_3::make_help_actions() {
+  make_command_actions();
   const QString help = tr("Help");
   actions_->add(help,
                 {QStringLiteral("keys"),
                  tr("&Keys and mouse"),
                  tr("Every key and what the mouse does"),
-                 {QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)}},
+                 {QKeySequence(Qt::Key_Question)}},
                 [this] {
                   std::vector<Gesture> gestures = camera_gestures(mouse_);
                   for (const Gesture& gesture :
@@ -111,7 +112,7 @@ void Main_window_3::make_menus() {
   add_look_menus(view);
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
-  actions_->add_to(help, {"keys", "about"});
+  actions_->add_to(help, {"palette", "keys", "shortcuts", "whats-this", "-", "about"});
 }
 
 void Main_window_3::export_picture() {

@@ -210,17 +210,17 @@ void Main_window_3::show_selection() {
   if (viewer_) viewer_->update();
 }
 
+std::pair<Point_3, double> Main_window_3::usual_place() const {
+  if (document_.inputs().is_empty() || !viewer_) return {{}, 1};
+  constexpr double share = 0.35;
+  const Camera_3 camera = viewer_->view().camera;
+  return {camera.target, share * camera.height_at_target()};
+}
+
 void Main_window_3::generate(const Generator_3& generator) {
   if (popover_) popover_->dismiss();
   const bool is_first_data = document_.inputs().is_empty();
-  Point_3 center;
-  double size = 1;
-  if (!is_first_data && viewer_) {
-    constexpr double share = 0.35;
-    const Camera_3 camera = viewer_->view().camera;
-    center = camera.target;
-    size = share * camera.height_at_target();
-  }
+  const auto [center, size] = usual_place();
   open_popover(open_generator_popover_3(generator, *editor_, center, size, canvas_));
   if (is_first_data) fit();
 }

@@ -7,14 +7,20 @@
 namespace mesecina {
 
 int start_window(int argc, char** argv, const Command_line& command_line,
-                 const std::shared_ptr<const Registry>& registry, Formats formats) {
+                 const std::shared_ptr<const Registry>& registry, const Formats& formats) {
   const Program_identity identity{QStringLiteral("mesecina3d"), QStringLiteral(MESECINA_VERSION),
                                   QSurfaceFormat::CompatibilityProfile};
-  return run_window(argc, argv, identity, [&]() -> std::unique_ptr<Program_window> {
+  const auto make_window = [&]() -> std::unique_ptr<Program_window> {
     Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles};
     if (command_line.view_3) startup.seen_3 = Seen_3{*command_line.view_3, command_line.key_frames};
-    return std::make_unique<Main_window_3>(registry, std::move(formats), startup);
-  });
+    return std::make_unique<Main_window_3>(registry, formats, startup);
+  };
+  if (command_line.list) {
+    return use_hidden_window(argc, argv, identity, make_window, [&](const Program_window& window) {
+      return list_commands(window, command_line.list_as_json);
+    });
+  }
+  return run_window(argc, argv, identity, {command_line.script}, make_window);
 }
 
 }  // namespace mesecina

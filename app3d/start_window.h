@@ -9,6 +9,6 @@ namespace mesecina {
 
 /// Opens the window and runs the program until it is closed. Returns the exit code.
 int start_window(int argc, char** argv, const Command_line& command_line,
-                 const std::shared_ptr<const Registry>& registry, Formats formats);
+                 const std::shared_ptr<const Registry>& registry, const Formats& formats);
 
 }  // namespace mesecina

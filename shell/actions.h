@@ -9,6 +9,7 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <map>
 #include <vector>
 
 class QMenu;
@@ -16,7 +17,11 @@ class QToolBar;
 
 namespace mesecina {
 
-/// Everything a user can do, each named once: menus, tool bars and the sheet of keys are made from it.
+/// The name of an action without the mnemonic and the dots of its text in a menu.
+QString plain_text(QString menu_text);
+
+/// Everything a user can do, each named once: menus, tool bars, the palette and the sheet of keys are made from it. The
+/// user's own keys take the place of the usual ones, and are remembered between runs.
 class Actions : public QObject {
   Q_OBJECT
  public:
@@ -30,8 +35,9 @@ class Actions : public QObject {
     QWidget* scope = nullptr;  ///< the keys work only while it, or a child of it, has the focus; null: everywhere
   };
 
-  /// The window that the shortcuts belong to.
-  explicit Actions(QWidget* window);
+  /// The window that the shortcuts belong to. `program` names the preferences that keep the user's own keys
+  /// ("mesecina2d"); they are read here.
+  Actions(QString program, QWidget* window);
 
   /// `group` is a heading of the sheet of keys. Throws std::logic_error when the id is taken.
   QAction* add(const QString& group, const Spec& spec, std::function<void()> run);
@@ -43,14 +49,38 @@ class Actions : public QObject {
   struct Entry {
     QString group;
     QAction* action = nullptr;
+    QString name;                      ///< as it was added, without mnemonic; texts in menus may change
+    QList<QKeySequence> usual_keys{};  ///< those of the program
   };
   const std::vector<Entry>& entries() const { return entries_; }
+  /// Null for an unknown id.
+  const Entry* find(const QString& id) const;
+
+  /// Gives the action these keys from now on and in later runs. Keys of others are not taken from them. Throws
+  /// std::out_of_range for an unknown id.
+  void set_keys(const QString& id, const QList<QKeySequence>& keys);
+  /// The usual keys again: of one action, or of all.
+  void reset_keys(const QString& id);
+  void reset_all_keys();
+  bool has_own_keys(const QString& id) const { return own_keys_.count(id) > 0; }
+  /// The action with this key, or with one that begins with it or that it begins with, other than `except`; null for
+  /// none. Such two would never be told apart.
+  const Entry* holder_of(const QKeySequence& keys, const QString& except = {}) const;
+
   /// One sentence for each action that lacks a name or a tip, and each key that two actions claim. For tests.
   QStringList faults() const;
 
+ Q_SIGNALS:
+  void keys_changed(const QString& id);
+
  private:
+  void apply_keys(const Entry& entry);
+  void store_keys() const;
+
+  QString program_;
   QWidget* window_;
   std::vector<Entry> entries_;
+  std::map<QString, QList<QKeySequence>> own_keys_;
 };
 
 }  // namespace mesecina

@@ -76,6 +76,7 @@ class Files : public QObject {
   QString choose_folder(const QString& title);
 
   Background_jobs& jobs() { return jobs_; }
+  const Background_jobs& jobs() const { return jobs_; }
   /// Of the document; empty for none.
   const QString& current_file() const { return current_file_; }
   /// "giraffe.wkt" or "Untitled"

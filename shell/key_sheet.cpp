@@ -24,11 +24,6 @@ QString heading(const QString& text) {
   return QStringLiteral("<tr><td colspan='2' style='padding-top:8px'><i>%1</i></td></tr>").arg(text.toHtmlEscaped());
 }
 
-QString plain(QString text) {
-  text.remove(QLatin1Char('&'));
-  return text;
-}
-
 struct Group {
   QString name;
   QStringList rows;
@@ -84,7 +79,7 @@ QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gest
     if (entry.action->shortcuts().isEmpty()) continue;
     const QString keys = QKeySequence::listToString(entry.action->shortcuts(), QKeySequence::NativeText)
                              .replace(QStringLiteral("; "), QStringLiteral(", "));
-    group_of(entry.group, groups).rows << row(keys, plain(entry.action->text()));
+    group_of(entry.group, groups).rows << row(keys, entry.name);
   }
   const int em = sheet->fontMetrics().height();
   constexpr int least_rows = 20;

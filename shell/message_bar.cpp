@@ -55,6 +55,7 @@ void Message_bar::add(Kind kind, const QString& line) {
   text_->setAccessibleName(text_->text());
   show();
   update();
+  Q_EMIT added(kind, line);
 }
 
 void Message_bar::dismiss() {

@@ -23,6 +23,9 @@ class Message_bar : public QFrame {
  public Q_SLOTS:
   void dismiss();
 
+ Q_SIGNALS:
+  void added(mesecina::Message_bar::Kind kind, const QString& line);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "shell/preferences.h"
+#include "shell/setting_values.h"
 
 namespace mesecina {
 
@@ -148,7 +149,7 @@ void Program_window::build_status_bar() {
 }
 
 void Program_window::begin_actions() {
-  actions_ = new Actions(this);
+  actions_ = new Actions(program_, this);
   recent_files_ = new Recent_files(program_, this);
 }
 
@@ -368,14 +369,7 @@ void Program_window::show_document(const Document_change& change) {
 void Program_window::edit_cut(const QString& setting, double value, const QString& merge) {
   const Setting_spec* spec = registry_->find_setting(setting.toStdString());
   if (!spec) return;
-  const auto* whole = std::get_if<std::int64_t>(&spec->default_value);
-  const auto* number = std::get_if<double>(&spec->default_value);
-  const Settings& settings = document_.settings();
-  const auto rounded = static_cast<std::int64_t>(value);
-  const bool is_default = whole ? *whole == rounded : number && *number == value;
-  document_.edit_settings(is_default ? settings.without(spec->id)
-                          : whole    ? settings.with(spec->id, rounded)
-                                     : settings.with(spec->id, value),
+  document_.edit_settings(with_value(document_.settings(), *spec, number_value(*spec, value)),
                           QString::fromStdString(spec->label), merge);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +12,8 @@
 
 #include "layers/layer_panel.h"
 #include "shell/actions.h"
+#include "shell/command_palette.h"
+#include "shell/commands.h"
 #include "shell/computation.h"
 #include "shell/document.h"
 #include "shell/files.h"
@@ -20,6 +23,7 @@
 #include "shell/recent_files.h"
 #include "shell/settings_browser.h"
 #include "shell/settings_panel.h"
+#include "shell/shortcut_editor.h"
 #include "shell/status_progress.h"
 #include "shell/theme.h"
 
@@ -63,7 +67,8 @@ Document_state first_state(const Registry& registry, const Startup& startup, con
 /// settings around a canvas, messages, progress, files, themes. A program adds its canvas and what one can do with it.
 ///
 /// The constructor of a program's window calls build_center(), set_files(), build_panels(), build_status_bar(),
-/// begin_actions(), the make_... functions, connect_common() and restore(), in this order; its destructor take_apart().
+/// begin_actions(), the make_... functions, connect_common(), make_commands() and restore(), in this order; its
+/// destructor take_apart().
 class Program_window : public QMainWindow {
   Q_OBJECT
  public:
@@ -74,6 +79,15 @@ class Program_window : public QMainWindow {
   Document& document() { return document_; }
   Computation& computation() { return computation_; }
   Actions& actions() { return *actions_; }
+  /// Null while it is closed.
+  Command_palette* command_palette() const { return palette_; }
+  Shortcut_editor* shortcut_editor() const { return shortcut_editor_; }
+  /// Everything that a line of text can do here.
+  const Commands& commands() const { return *commands_; }
+  /// Files are being read or written.
+  bool has_file_jobs() const { return common_files_->jobs().is_busy(); }
+  /// That is so, or something visible is not computed yet.
+  bool is_busy() const { return has_file_jobs() || computation_.is_busy(); }
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
   Layer_panel& layer_panel() { return *layer_panel_; }
@@ -101,7 +115,11 @@ class Program_window : public QMainWindow {
   /// Themes, background, full screen.
   void make_look_actions();
   void add_look_menus(QMenu* view) const;
+  /// The palette of commands, the keys, what's this.
+  void make_command_actions();
   void connect_common();
+  /// The commands that every program has; a program adds its own. When all actions are there.
+  void make_commands();
   void restore();
   void store();
   void take_apart();
@@ -137,6 +155,7 @@ class Program_window : public QMainWindow {
 
   Message_bar* messages_ = nullptr;
   Actions* actions_ = nullptr;
+  std::unique_ptr<Commands> commands_;
   Layer_panel* layer_panel_ = nullptr;
   Settings_panel* settings_panel_ = nullptr;
   Settings_browser* settings_browser_ = nullptr;
@@ -158,6 +177,7 @@ class Program_window : public QMainWindow {
   void set_theme(Theme theme);
   void set_background(Canvas_background background);
   bool may_close();
+  void open_palette();
 
   QString program_;
   Theme_switch themes_;
@@ -165,6 +185,8 @@ class Program_window : public QMainWindow {
   QWidget* common_canvas_ = nullptr;
   Files* common_files_ = nullptr;
   QLabel* facts_ = nullptr;
+  QPointer<Command_palette> palette_;
+  QPointer<Shortcut_editor> shortcut_editor_;
   std::vector<QDockWidget*> docks_;
 };
 

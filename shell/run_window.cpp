@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QLocale>
 #include <QPixmap>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
@@ -16,6 +18,7 @@
 
 #include "core/batch/command_line.h"
 #include "shell/program_window.h"
+#include "shell/script_runner.h"
 
 namespace mesecina {
 
@@ -61,9 +64,35 @@ void report_first_picture(Program_window& window) {
   poll->start(poll_interval);
 }
 
+void play_script(Program_window& window, const std::string& file) {
+  const QString name = QString::fromStdString(file);
+  auto* runner = new Script_runner(window, name == QLatin1String("-") ? QStringLiteral("standard input") : name,
+                                   read_script(name));
+  QObject::connect(runner, &Script_runner::finished, &window, [](const QString& error, bool is_quitting) {
+    if (!error.isEmpty()) std::cerr << error.toStdString() << std::endl;
+    if (!error.isEmpty() || is_quitting) QCoreApplication::exit(error.isEmpty() ? exit_success : exit_some_failed);
+  });
+  runner->start();
+}
+
+/// What Qt says of a platform without a display is nothing that a user could change.
+void be_quiet_without_display() {
+  if (!qEnvironmentVariable("QT_QPA_PLATFORM").startsWith(QLatin1String("offscreen"))) return;
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) std::cerr << text.toStdString() << std::endl;
+  });
+}
+
+void name_application(const Program_identity& identity) {
+  QCoreApplication::setOrganizationName(QStringLiteral("mesecina"));
+  QCoreApplication::setApplicationName(identity.name);
+  QCoreApplication::setApplicationVersion(identity.version);
+  QGuiApplication::setApplicationDisplayName(QString());
+}
+
 }  // namespace
 
-int run_window(int argc, char** argv, const Program_identity& identity,
+int run_window(int argc, char** argv, const Program_identity& identity, const Window_order& order,
                const std::function<std::unique_ptr<Program_window>()>& make_window) {
   const auto is_set = [](const char* variable) { return !qEnvironmentVariableIsEmpty(variable); };
   if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY") && !is_set("QT_QPA_PLATFORM")) {
@@ -71,6 +100,7 @@ int run_window(int argc, char** argv, const Program_identity& identity,
               << ": expected a display to open a window on, found none; use --nogui to compute without one\n";
     return exit_wrong_usage;
   }
+  be_quiet_without_display();
   // Files hold numbers with a decimal point everywhere, and so do the controls.
   QLocale::setDefault(QLocale::c());
   QSurfaceFormat format;
@@ -86,14 +116,32 @@ int run_window(int argc, char** argv, const Program_identity& identity,
   // Qt would take --style for its own.
   int own_count = std::min(argc, 1);
   QApplication application(own_count, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("mesecina"));
-  QCoreApplication::setApplicationName(identity.name);
-  QCoreApplication::setApplicationVersion(identity.version);
-  QGuiApplication::setApplicationDisplayName(QString());
+  name_application(identity);
   const std::unique_ptr<Program_window> window = make_window();
   report_first_picture(*window);
+  if (order.script) play_script(*window, *order.script);
   window->show();
   return QApplication::exec();
+}
+
+int use_hidden_window(int argc, char** argv, const Program_identity& identity,
+                      const std::function<std::unique_ptr<Program_window>()>& make_window,
+                      const std::function<int(Program_window&)>& use) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  be_quiet_without_display();
+  QLocale::setDefault(QLocale::c());
+  int own_count = std::min(argc, 1);
+  QApplication application(own_count, argv);
+  name_application(identity);
+  const QTemporaryDir preferences;
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, preferences.path());
+  const std::unique_ptr<Program_window> window = make_window();
+  return use(*window);
+}
+
+int list_commands(const Program_window& window, bool as_json) {
+  std::cout << commands_text(window.commands(), as_json);
+  return exit_success;
 }
 
 }  // namespace mesecina

@@ -5,6 +5,8 @@
 #include <QSurfaceFormat>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace mesecina {
 
@@ -16,10 +18,26 @@ struct Program_identity {
   QSurfaceFormat::OpenGLContextProfile profile = QSurfaceFormat::CoreProfile;  ///< that the canvas needs
 };
 
+/// What a window is asked to do besides being there.
+struct Window_order {
+  std::optional<std::string> script = {};  ///< file of commands; "-": standard input
+};
+
 /// Makes the application and its window, and runs it until the window is closed. Returns the exit code; without a
 /// display it says so on stderr and returns exit_wrong_usage. With MESECINA_FIRST_PICTURE set it ends by itself when
 /// everything visible was drawn, saves the window under that name unless it is "-", and says after how long.
-int run_window(int argc, char** argv, const Program_identity& identity,
+///
+/// A script begins when the window is there. Its error is told on stderr, and ends the program with exit_some_failed.
+int run_window(int argc, char** argv, const Program_identity& identity, const Window_order& order,
                const std::function<std::unique_ptr<Program_window>()>& make_window);
+
+/// Makes a window that is never shown, without a display, as it is for somebody who never used the program, and returns
+/// what `use` makes of it.
+int use_hidden_window(int argc, char** argv, const Program_identity& identity,
+                      const std::function<std::unique_ptr<Program_window>()>& make_window,
+                      const std::function<int(Program_window&)>& use);
+
+/// Prints what the window can do, as --list commands says. Returns exit_success.
+int list_commands(const Program_window& window, bool as_json);
 
 }  // namespace mesecina

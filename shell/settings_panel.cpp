@@ -115,6 +115,7 @@ void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column, QWid
   QWidget* editor = std::holds_alternative<bool>(spec.default_value)          ? make_switch(spec, row)
                     : std::holds_alternative<std::string>(spec.default_value) ? make_text(spec, row)
                                                                               : make_number(spec, row);
+  row.editor = editor;
   row.reset = new QToolButton(widget() ? widget() : this);
   row.reset->setText(QStringLiteral("●"));
   row.reset->setAutoRaise(true);
@@ -299,6 +300,21 @@ std::vector<std::string> Settings_panel::listed() const {
 void Settings_panel::set_slider_maximum(const std::string& setting, double maximum) {
   const auto it = rows_.find(setting);
   if (it != rows_.end() && it->second.set_slider_maximum) it->second.set_slider_maximum(maximum);
+}
+
+void Settings_panel::focus_setting(const std::string& setting) {
+  const auto it = rows_.find(setting);
+  if (it == rows_.end()) return;
+  QWidget* control = it->second.editor;
+  if (control->focusPolicy() == Qt::NoFocus) {
+    for (QWidget* part : control->findChildren<QWidget*>()) {
+      if ((part->focusPolicy() & Qt::TabFocus) == 0) continue;
+      control = part;
+      break;
+    }
+  }
+  ensureWidgetVisible(it->second.editor);
+  control->setFocus(Qt::ShortcutFocusReason);
 }
 
 void Settings_panel::change(const Setting_spec& spec, const Setting_value& value, const QString& merge) {

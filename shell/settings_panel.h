@@ -32,6 +32,8 @@ class Settings_panel : public QScrollArea {
   void set_filter(const QString& words, bool changed_only);
   /// The ids of those that are listed, from top to bottom.
   std::vector<std::string> listed() const;
+  /// Scrolls to the setting and gives its control the focus. Does nothing for an unknown one.
+  void focus_setting(const std::string& setting);
 
  Q_SIGNALS:
   /// `merge` is the same for all steps of one drag.
@@ -45,6 +47,7 @@ class Settings_panel : public QScrollArea {
     QWidget* line = nullptr;  ///< all of it
     QString words;            ///< that it is found by
     QWidget* heading = nullptr;
+    QWidget* editor = nullptr;  ///< the control, or what holds it
   };
   void add_row(const Setting_spec& spec, QVBoxLayout* column, QWidget* heading);
   bool is_listed(const std::string& id, const Row& row) const;

@@ -326,9 +326,13 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_flag("--resume", result.resume, "Skip inputs whose results are complete");
-  app.add_option("--list", list, "List layers, settings, evolutions or formats")
-      ->check(CLI::IsMember({"layers", "settings", "evolutions", "formats"}));
+  app.add_option("--list", list,
+                 "List layers, settings, evolutions, formats, or the commands of the window and of scripts")
+      ->check(CLI::IsMember({"layers", "settings", "evolutions", "formats", "commands"}));
   app.add_flag("--json", result.list_as_json, "With --list: as JSON");
+  app.add_option("--script", result.script,
+                 "Carry out commands in the window, one a line; -: from the standard input (--list commands)");
+  app.add_option("--manual", result.manual, "Write the manual into this directory, as HTML with pictures");
   app.add_option("--seed", result.seed, "Seed of everything random")->capture_default_str();
   app.add_option("--threads", result.threads,
                  "Threads per input; 0: all cores, shared by the jobs. Results never depend on it")
@@ -351,6 +355,10 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       throw Usage_error("--stats " + stats +
                         ": this looks like an input and would be overwritten; put --stats last, or " +
                         "give it a name like stats.jsonl");
+    if (list == "commands") {
+      result.list = list;
+      return result;
+    }
     if (!list.empty()) return Early_exit{exit_success, list_text(list, result.list_as_json, registry, formats)};
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
@@ -372,6 +380,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     }
     result.recording = read_recording(recording, result, registry, formats);
     if (result.recording && app.count("--formats") == 0) result.formats.clear();
+    if (result.nogui && result.script) throw Usage_error("--script needs the window; leave out --nogui");
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;

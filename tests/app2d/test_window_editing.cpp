@@ -23,7 +23,7 @@ TEST_F(Window_fixture, NoMenuTakesTheKeyOfAnAction) {
 }
 
 TEST_F(Window_fixture, FaultsOfActionsAreFound) {
-  Actions actions(&window());
+  Actions actions(QStringLiteral("mesecina-test"), &window());
   actions.add("Edit", {"one", "One", "Tip", {QKeySequence("Ctrl+1")}}, [] {});
   actions.add("Edit", {"two", "Two", "", {QKeySequence("Ctrl+1")}}, [] {});
   EXPECT_EQ(actions.faults().size(), 2);
