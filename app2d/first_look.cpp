@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "geometries/witness_2/module.h"
+
 namespace mesecina {
 
 namespace {
@@ -37,15 +39,23 @@ Layer_list look_of_samples(const Registry& registry) {
   return layers;
 }
 
+Layer_list look_of_landmarks(const Registry& registry) {
+  Layer_list layers = default_layers(registry);
+  for (const char* id : {"landmark-delaunay", "witness-complex", "landmarks"}) show(layers, id);
+  return layers;
+}
+
 }  // namespace
 
 Layer_list first_look(const Registry& registry, const Inputs& inputs) {
+  if (inputs.get(landmarks_input)) return look_of_landmarks(registry);
   const bool has_only_disks = inputs.get(disks_input) && !inputs.get(points_input) && !inputs.get(outline_input);
   return has_only_disks ? look_of_disks(registry) : look_of_samples(registry);
 }
 
 Layer_list look_at(const Registry& registry, const Inputs& inputs, const Layer_list& layers) {
-  const bool is_first_look = layers == look_of_samples(registry) || layers == look_of_disks(registry);
+  const bool is_first_look =
+      layers == look_of_samples(registry) || layers == look_of_disks(registry) || layers == look_of_landmarks(registry);
   return is_first_look ? first_look(registry, inputs) : layers;
 }
 

@@ -8,7 +8,7 @@
 namespace mesecina {
 
 /// A few layers that tell a story together: of points and outlines the Voronoi diagram, the curve and what is inside
-/// it; of disks alone the boundary and the medial axis of their union.
+/// it; of disks alone the boundary and the medial axis of their union; of landmarks what they stand for.
 Layer_list first_look(const Registry& registry, const Inputs& inputs);
 
 /// What to show of `inputs` to somebody who sees `layers`: a first look if they are one, which means that the user has

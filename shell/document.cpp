@@ -164,16 +164,18 @@ void Document::edit_layers(Layer_list layers, const QString& text, const QString
 }
 
 void Document::mark_saved(const std::vector<std::string>& input_ids) {
-  const auto mark = [&](auto key) {
-    if (std::ranges::find(input_ids, key.id) != input_ids.end()) saved_ = saved_.with(key, state_.inputs.get(key));
+  Inputs saved = state_.inputs;
+  const auto keep = [&](auto key) {
+    if (std::ranges::find(input_ids, key.id) == input_ids.end()) saved = saved.with(key, saved_.get(key));
   };
-  mark(points_input);
-  mark(disks_input);
-  mark(outline_input);
-  mark(image_input);
-  mark(mesh_input);
-  mark(balls_input);
-  mark(cloud_input);
+  keep(points_input);
+  keep(disks_input);
+  keep(outline_input);
+  keep(image_input);
+  keep(mesh_input);
+  keep(balls_input);
+  keep(cloud_input);
+  saved_ = std::move(saved);
   // What comes now is another step, so that undo stops at what was saved.
   history_.setClean();
   tell_modified();

@@ -77,7 +77,8 @@ class Document : public QObject {
 
   QUndoStack& history() { return history_; }
 
-  /// Says that the inputs of these ids are in a file as they are now.
+  /// Says that the inputs of these ids are in a file as they are now; so are those that evolutions keep for themselves,
+  /// which no file of data holds.
   void mark_saved(const std::vector<std::string>& input_ids);
   void mark_all_saved();
   /// True when some input is not as it was saved last.

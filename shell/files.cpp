@@ -125,8 +125,10 @@ void Files::take(const Loaded& result) {
 
 std::vector<std::string> Files::parts() const {
   std::vector<std::string> parts;
+  // Pictures stay as they were read; what evolutions keep for themselves is no data.
   for (const std::string& id : document_.inputs().ids())
-    if (id != image_input.id) parts.push_back(id);
+    if (std::ranges::any_of(formats_->input_writers, [&](const auto& writer) { return writer.input_id == id; }))
+      parts.push_back(id);
   return parts;
 }
 

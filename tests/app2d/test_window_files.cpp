@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "app2d/popovers_2.h"
+#include "geometries/witness_2/module.h"
 #include "window_fixture.h"
 
 namespace mesecina {
@@ -260,6 +261,22 @@ TEST_F(Files, NeverLosesDisksOrPointsSilently) {
   EXPECT_TRUE(window().files().save_part_to(folder_.filePath("part.wpoff"), "disks"));
   EXPECT_FALSE(document().is_modified());
   EXPECT_EQ(content(folder_.filePath("part.wpoff")), "WPOFF 1 0 0\n5 5 1\n");
+}
+
+TEST_F(Files, LandmarksAreShownAtOnceAndAreNoPartThatSavingWouldLose) {
+  const auto shown = [this](const char* id) { return find_entry(document().layers(), id)->style.visible; };
+  const QString path = write("in.xy", "0 0\n1 1\n3 1\n");
+  drop({path});
+  EXPECT_TRUE(shown("medial-axis") && !shown("witness-complex"));
+  const Inputs before = document().inputs();
+  document().edit_inputs(before.with(landmarks_input, std::vector<Point_2>{{0, 0}, {3, 1}}), "Landmarks");
+  EXPECT_TRUE(shown("landmarks") && shown("witness-complex") && !shown("medial-axis"));
+  window().editor().add_point({5, 5});
+  trigger("save");
+  EXPECT_FALSE(window().isWindowModified());
+  EXPECT_EQ(content(path), "0 0\n1 1\n3 1\n5 5\n");
+  document().edit_inputs(before, "Without landmarks");
+  EXPECT_TRUE(shown("medial-axis") && !shown("witness-complex"));
 }
 
 TEST_F(Files, CancelledReadingChangesNothing) {
