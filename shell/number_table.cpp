@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/number_table.h"
 
+#include <QApplication>
 #include <QHeaderView>
 #include <QItemSelection>
+#include <QStyledItemDelegate>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,6 +17,28 @@ namespace mesecina {
 namespace {
 /// More separate runs of rows than this take the view long and tell the user nothing.
 constexpr int most_runs = 2000;
+
+/// Shows as many digits as there is room for; the editor and the tip have all.
+class Number_delegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const QStyle* style = option->widget ? option->widget->style() : QApplication::style();
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, option, option->widget) + 1;
+    const auto fits = [&] {
+      return option->fontMetrics.horizontalAdvance(option->text) <= option->rect.width() - 2 * margin;
+    };
+    const double number = option->text.toDouble();
+    constexpr int most_digits = 15;
+    constexpr int least_digits = 3;
+    for (int digits = most_digits; digits >= least_digits && !fits(); --digits)
+      option->text = QString::number(number, 'g', digits);
+  }
+};
+
 }  // namespace
 
 void Number_model::set_rows(std::size_t count, Numbers number) {
@@ -78,6 +102,7 @@ bool Number_model::setData(const QModelIndex& index, const QVariant& value, int 
 Number_table::Number_table(Number_model::Words words, Link link, QWidget* parent)
     : QTableView(parent), link_(std::move(link)), model_(new Number_model(std::move(words), this)) {
   setModel(model_);
+  setItemDelegate(new Number_delegate(this));
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setAlternatingRowColors(true);

@@ -49,7 +49,8 @@ class Number_model : public QAbstractTableModel {
   int count_ = 0;
 };
 
-/// A table of numbers whose selected rows are selected elsewhere too.
+/// A table of numbers whose selected rows are selected elsewhere too. Where a number is too long for its column, it is
+/// shown with fewer digits.
 class Number_table : public QTableView {
   Q_OBJECT
  public:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QClipboard>
+#include <QHeaderView>
 #include <string>
 
 #include "app3d/clipboard_3.h"
@@ -74,6 +75,28 @@ TEST_F(Input_table_window_3, TypingChangesBallsAndSelectionsAreOne) {
   use("undo");
   EXPECT_EQ(model.rowCount(), 2);
   EXPECT_EQ(table.selectionModel()->selectedRows().size(), 2);
+}
+
+TEST_F(Input_table_window_3, LongNumbersAreShownWithTheDigitsThereIsRoomFor) {
+  Input_table_3& table = window_->balls_table();
+  show(table);
+  ASSERT_TRUE(table.model()->setData(table.model()->index(0, 1), "0.123456789012345"));
+  const QModelIndex index = table.model()->index(0, 1);
+  EXPECT_EQ(index.data().toString(), "0.123456789012345");
+  const auto picture = [&](int width) {
+    table.horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table.setColumnWidth(1, width);
+    QApplication::processEvents();
+    return table.viewport()->grab(table.visualRect(index)).toImage();
+  };
+  // As the picture of the rounded number itself, without dots.
+  const int width = QFontMetrics(table.font()).horizontalAdvance(QStringLiteral("0.1235")) + 12;
+  const QImage rounded = picture(width);
+  ASSERT_TRUE(table.model()->setData(index, "0.12346"));
+  const QImage same = picture(width);
+  EXPECT_EQ(rounded, same);
+  ASSERT_TRUE(table.model()->setData(index, "0.52346"));
+  EXPECT_NE(picture(width), same);
 }
 
 TEST_F(Input_table_window_3, RowsGoThroughTheClipboard) {
