@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "geometries/landmark_disks_2/module.h"
 #include "geometries/witness_2/module.h"
 
 namespace mesecina {
@@ -45,17 +46,24 @@ Layer_list look_of_landmarks(const Registry& registry) {
   return layers;
 }
 
+Layer_list look_of_landmark_disks(const Registry& registry) {
+  Layer_list layers = default_layers(registry);
+  for (const char* id : {"landmark-disks-grown", "landmark-disks", "landmark-disks-dual"}) show(layers, id);
+  return layers;
+}
+
 }  // namespace
 
 Layer_list first_look(const Registry& registry, const Inputs& inputs) {
   if (inputs.get(landmarks_input)) return look_of_landmarks(registry);
+  if (inputs.get(landmark_disks_input)) return look_of_landmark_disks(registry);
   const bool has_only_disks = inputs.get(disks_input) && !inputs.get(points_input) && !inputs.get(outline_input);
   return has_only_disks ? look_of_disks(registry) : look_of_samples(registry);
 }
 
 Layer_list look_at(const Registry& registry, const Inputs& inputs, const Layer_list& layers) {
-  const bool is_first_look =
-      layers == look_of_samples(registry) || layers == look_of_disks(registry) || layers == look_of_landmarks(registry);
+  const bool is_first_look = layers == look_of_samples(registry) || layers == look_of_disks(registry) ||
+                             layers == look_of_landmarks(registry) || layers == look_of_landmark_disks(registry);
   return is_first_look ? first_look(registry, inputs) : layers;
 }
 

@@ -8,6 +8,7 @@
 #include "geometries/evolutions_2/module.h"
 #include "geometries/inputs_2/module.h"
 #include "geometries/labels_2/module.h"
+#include "geometries/landmark_disks_2/module.h"
 #include "geometries/medial_axis_2/module.h"
 #include "geometries/medial_filtrations_2/module.h"
 #include "geometries/power_crust_2/module.h"
@@ -36,6 +37,7 @@ std::shared_ptr<const Registry> make_registry_2() {
   register_scale_axis_2(*registry);
   register_evolutions_2(*registry);
   register_witness_2(*registry);
+  register_landmark_disks_2(*registry);
   return registry;
 }
 

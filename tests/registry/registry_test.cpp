@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/evolution.h"
+#include "geometries/landmark_disks_2/module.h"
 #include "geometries/modules_2.h"
 #include "geometries/witness_2/module.h"
 
@@ -40,6 +41,7 @@ Inputs example() {
       .with(points_input, wavy_curve(200))
       .with(disks_input, disks_of_all_kinds())
       .with(landmarks_input, wavy_curve(40))
+      .with(landmark_disks_input, std::vector<Disk_2>{{{0, 0}, 1}, {{3, 0}, 1}})
       .with(image_input, image);
 }
 
@@ -234,7 +236,7 @@ TEST(Registry_2, DegenerateInputsGiveAValueOrAReasonButNoInternalError) {
 TEST(Registry_2, EveryPromisedEvolutionGoesStepsOnAnExample) {
   const auto registry = make_registry_2();
   for (const char* id : {"laplacian-smoothing", "subdivision", "noise", "lloyd", "grow-balls", "shrink-balls",
-                         "stepped-growing", "max-min-landmarks"})
+                         "stepped-growing", "max-min-landmarks", "landmark-disks"})
     EXPECT_NE(registry->find_evolution(id), nullptr) << id;
   for (const Evolution_spec& evolution : registry->evolutions()) {
     Graph graph(registry);
