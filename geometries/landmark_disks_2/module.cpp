@@ -27,7 +27,8 @@ bool begins_with(const Disks& all, const Disks& first) {
   return first.size() <= all.size() && std::equal(first.begin(), first.end(), all.begin());
 }
 
-std::shared_ptr<Landmark_coverage_2> updated_coverage(Context& context, std::shared_ptr<Landmark_coverage_2> previous) {
+std::shared_ptr<Landmark_coverage_2> updated_coverage(Context& context,
+                                                      const std::shared_ptr<Landmark_coverage_2>& previous) {
   const auto chosen = landmarks(context);
   const auto balls = context.get(balls_2_key);
   if (previous->balls != balls || !begins_with(*chosen, *previous->landmarks))
