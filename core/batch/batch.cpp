@@ -102,7 +102,7 @@ class Batch {
   bool refuse(const std::string& reason);
   bool prepare();
   void compute_all(const Indices& indices, int jobs, const Stop_signals& signals);
-  Answer compute(std::size_t index, std::stop_token stop);
+  Answer compute(std::size_t index, const std::stop_token& stop);
   void finish(const Worker_pool::Done& done, bool is_alone);
   void finish(std::size_t index, const Answer& answer, bool is_alone);
   void fail(std::size_t index, const std::string& reason);
@@ -186,7 +186,7 @@ void Batch::compute_all(const Indices& indices, int jobs, const Stop_signals& si
   if (indices.empty() || is_stopped_) return;
   jobs = static_cast<int>(std::min(static_cast<std::size_t>(jobs), indices.size()));
   Worker_pool workers(
-      jobs, {[this](std::size_t index, std::stop_token stop) { return to_bytes(compute(index, std::move(stop))); },
+      jobs, {[this](std::size_t index, const std::stop_token& stop) { return to_bytes(compute(index, stop)); },
              [this] { folder_.close(); }});
   for (auto next = indices.begin();;) {
     while (!is_stopped_ && next != indices.end() && workers.has_idle()) workers.give(*next++);
@@ -202,7 +202,7 @@ void Batch::compute_all(const Indices& indices, int jobs, const Stop_signals& si
 }
 
 /// In the process of a worker.
-Answer Batch::compute(std::size_t index, std::stop_token stop) {
+Answer Batch::compute(std::size_t index, const std::stop_token& stop) {
   const fs::path& file = files_[index];
   Answer answer;
   try {
@@ -217,7 +217,7 @@ Answer Batch::compute(std::size_t index, std::stop_token stop) {
         command_line_.threads > 0 ? command_line_.threads : std::max(1, cores_ / std::max(1, command_line_.jobs));
     Frame_progress frames(messages_, files_.size() == 1);
     Input_statistics statistics =
-        runner_.compute(file, threads, std::move(stop), [&](int frame, int all) { frames.report(frame, all); });
+        runner_.compute(file, threads, stop, [&](int frame, int all) { frames.report(frame, all); });
     if (statistics.failed) answer.kind = Answer::Kind::failed;
     answer.reason = statistics.reason;
     for (const auto& [format, reason] : statistics.refused) answer.refused.push_back(reason);

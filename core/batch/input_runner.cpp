@@ -229,7 +229,7 @@ void Input_runner::discard(const fs::path& file) const {
   if (const auto film = film_of(file)) fs::remove_all(unfinished_film(*film), error);
 }
 
-Input_statistics Input_runner::compute(const fs::path& file, int threads, std::stop_token stop,
+Input_statistics Input_runner::compute(const fs::path& file, int threads, const std::stop_token& stop,
                                        const Film_maker::Listener& listener) {
   Input_statistics statistics;
   statistics.input = file.string();

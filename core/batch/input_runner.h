@@ -35,7 +35,7 @@ class Input_runner {
   /// Computes and publishes all results of the file, or none; but a picture that its format refuses (too much for SVG,
   /// too large for PNG) is left out alone. What is wrong with the file is told in what it returns.
   /// Throws Cancelled, and std::bad_alloc where memory is short, also for a single layer. `listener`: of a film.
-  Input_statistics compute(const std::filesystem::path& file, int threads, std::stop_token stop,
+  Input_statistics compute(const std::filesystem::path& file, int threads, const std::stop_token& stop,
                            const Film_maker::Listener& listener);
 
  private:
