@@ -27,6 +27,18 @@ succeed --nogui "$giraffe" "$examples/italy.wkt" --layers outline,scale-axis --o
 rm -r again/italy.* {five,again}/.mesecina five/stats.jsonl five/summary.csv
 expect_same five again
 
+# Every evolution goes steps on an outline or on points, the same ones whatever the threads are.
+write_ellipse ellipse.xy 150
+for id in $("$program" --list evolutions --json | jq -r '.[].id'); do
+  for threads in 1 3; do
+    succeed --nogui "$giraffe" ellipse.xy --layers outline,points,disks,landmarks,landmark-disks --evolve $id=3 \
+      --threads $threads --output all-$threads --stats
+    expect_json all-$threads/stats.jsonl 'map(.evolutions[0].steps) | max == 3 and last == 3'
+    rm -r all-$threads/stats.jsonl all-$threads/summary.csv all-$threads/.mesecina
+  done
+  expect_same all-1 all-3
+done
+
 # Steps that cannot be gone are told; what was reached is written.
 printf '0 0\n5 5\n' >two.xy
 succeed --nogui two.xy --layers points --output short --evolve laplacian-smoothing=5 --stats
