@@ -125,7 +125,8 @@ const Bundle* find_bundle(const std::vector<Bundle>& bundles, std::string_view n
 
 std::string free_name(const std::vector<Bundle>& bundles, const std::string& name) {
   const auto is_taken = [&](const std::string& candidate) {
-    return std::ranges::any_of(bundles, [id = bundle_id(candidate)](const Bundle& b) { return bundle_id(b.name) == id; });
+    return std::ranges::any_of(bundles,
+                               [id = bundle_id(candidate)](const Bundle& b) { return bundle_id(b.name) == id; });
   };
   std::string candidate = name;
   for (int i = 2; is_taken(candidate); ++i) candidate = name + " " + std::to_string(i);

@@ -18,9 +18,9 @@ namespace mesecina {
 /// A named preset: which layers are seen, in which order and looks, with which settings.
 struct Bundle {
   std::string name;
-  std::string help;      ///< what it shows, and the paper
-  Layer_list layers;     ///< bottom to top; all others are switched off by it
-  Settings settings;     ///< those that it sets, also to their defaults; others stay as they are
+  std::string help;              ///< what it shows, and the paper
+  Layer_list layers;             ///< bottom to top; all others are switched off by it
+  Settings settings;             ///< those that it sets, also to their defaults; others stay as they are
   std::optional<View_2> view;    ///< of a program in the plane; absent: the view stays
   std::optional<View_3> view_3;  ///< of a program in space
   Unknown_parts unknown;         ///< what it names that this program does not have

@@ -372,6 +372,7 @@ int Batch::interrupted() {
 
 int Batch::run() {
   if (!prepare()) return exit_wrong_usage;
+  for (const std::string& warning : command_line_.warnings) messages_.say(Log_level::warning, warning);
   const Stop_signals signals;
   Indices indices;
   for (std::size_t i = 0; i < files_.size(); ++i) {

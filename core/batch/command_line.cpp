@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/batch/bundle_option.h"
 #include "core/batch/style_option.h"
 #include "core/evolution.h"
 #include "core/formats/film.h"
@@ -68,8 +69,8 @@ void check_names(const std::string& kind, const std::vector<std::string>& names,
     if (std::ranges::find(known, name) == known.end()) refuse_unknown(kind, name, known);
 }
 
-Settings read_settings(const std::vector<std::string>& assignments, const Registry& registry) {
-  Settings settings;
+/// `settings` with the values assigned.
+Settings read_settings(const std::vector<std::string>& assignments, const Registry& registry, Settings settings) {
   for (const std::string& assignment : assignments) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos)
@@ -104,10 +105,10 @@ std::vector<Evolution_order> read_evolutions(const std::vector<std::string>& ord
   return evolutions;
 }
 
-/// By layer, the default look with the changes made to it, in their order.
+/// By layer, the look in `styles`, or else the default one, with the changes made to it, in their order.
 std::map<std::string, Style> read_styles(const std::vector<std::string>& changes, const Registry& registry,
-                                         const std::vector<std::string>& color_maps) {
-  std::map<std::string, Style> styles;
+                                         const std::vector<std::string>& color_maps,
+                                         std::map<std::string, Style> styles) {
   for (const std::string& change : changes) {
     const auto equals = change.find('=');
     const auto dot = change.find('.');
@@ -124,6 +125,20 @@ std::map<std::string, Style> read_styles(const std::vector<std::string>& changes
     }
   }
   return styles;
+}
+
+/// Explicit layers win over the bundle's.
+void use_bundle(Command_line& line, const Registry& registry, bool has_layers) {
+  const std::vector<std::string> layers = line.layers;
+  const bool as_listed = line.as_listed;
+  try {
+    take_bundle(line, read_bundle_option(*line.bundle, registry), registry);
+  } catch (const std::exception& error) {
+    throw Usage_error("--bundle: " + std::string(error.what()));
+  }
+  if (!has_layers) return;
+  line.layers = layers;
+  line.as_listed = as_listed;
 }
 
 std::pair<int, int> read_size(const std::string& text) {
@@ -280,6 +295,10 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_option("--bundle", result.bundle,
+                 "Layers, looks, settings and view of a bundle: NAME (--list bundles), FILE or FILE#NAME. --layers, "
+                 "--set, --style and --view change them")
+      ->allow_extra_args(false);
   app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
   app.add_option("--evolve", evolutions,
                  "First goes steps of an evolution: ID=STEPS, repeatable, in order (--list evolutions)")
@@ -327,8 +346,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       ->capture_default_str();
   app.add_flag("--resume", result.resume, "Skip inputs whose results are complete");
   app.add_option("--list", list,
-                 "List layers, settings, evolutions, formats, or the commands of the window and of scripts")
-      ->check(CLI::IsMember({"layers", "settings", "evolutions", "formats", "commands"}));
+                 "List layers, settings, evolutions, bundles, formats, or the commands of the window and of scripts")
+      ->check(CLI::IsMember({"layers", "settings", "evolutions", "bundles", "formats", "commands"}));
   app.add_flag("--json", result.list_as_json, "With --list: as JSON");
   app.add_option("--script", result.script,
                  "Carry out commands in the window, one a line; -: from the standard input (--list commands)");
@@ -361,12 +380,14 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     if (!list.empty()) return Early_exit{exit_success, list_text(list, result.list_as_json, registry, formats)};
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
-    result.settings = read_settings(assignments, registry);
+    const bool has_layers = !result.layers.empty();
+    if (result.bundle) use_bundle(result, registry, has_layers);
+    result.settings = read_settings(assignments, registry, result.settings);
     if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&
         !result.settings.find(evolution_seed_setting.id))
       result.settings = result.settings.with(evolution_seed_setting.id, static_cast<std::int64_t>(result.seed));
     result.evolutions = read_evolutions(evolutions, registry);
-    result.styles = read_styles(result.style_changes, registry, color_maps);
+    result.styles = read_styles(result.style_changes, registry, color_maps, result.styles);
     if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);
     if (view != "fit") {

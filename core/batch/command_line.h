@@ -41,6 +41,8 @@ struct Command_line {
   std::map<std::string, Style> styles;     ///< by layer: the looks in pictures that were changed from their defaults
   std::vector<std::string> style_changes;  ///< as they were given: LAYER.PROPERTY=VALUE
   bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
+  std::optional<std::string> bundle;       ///< as it was given
+  std::vector<std::string> warnings;       ///< of what was read with it
   std::filesystem::path output = "out";
   std::vector<std::string> formats = {"json"};  ///< none where only a film is wanted
   int width = 1200;                             ///< of pictures, in pixels
@@ -75,7 +77,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
                                                           const Registry& registry, const Formats& formats,
                                                           const std::vector<std::string>& color_maps);
 
-/// Text of --list WHAT: layers, settings, evolutions or formats.
+/// Text of --list WHAT: layers, settings, evolutions, bundles or formats.
 std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats);
 
 }  // namespace mesecina

@@ -9,6 +9,7 @@
 
 #include "core/batch/scene.h"
 #include "core/evolution.h"
+#include "core/formats/scene_json.h"
 
 namespace mesecina {
 
@@ -79,7 +80,7 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
   for (const Evolution_order& order : command_line_.evolutions) json["evolutions"].push_back({order.id, order.steps});
-  json["styles"] = command_line_.style_changes;
+  for (const auto& [id, style] : command_line_.styles) json["styles"][id] = style_to_json(style);
   json["as-listed"] = command_line_.as_listed;
   json["seed"] = command_line_.seed;
   if (const auto& recording = command_line_.recording) {
@@ -128,7 +129,9 @@ void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& pr
     for (const std::string& warning : graph.warnings(id))
       if (std::ranges::find(statistics.warnings, warning) == statistics.warnings.end())
         statistics.warnings.push_back(warning);
-    if (!primitives && !command_line_.layers.empty())
+    // A bundle names what may be drawn over: the inputs of all kinds.
+    const bool is_asked_for = !command_line_.bundle || registry_->find_layer(id)->stage != "Input";
+    if (!primitives && !command_line_.layers.empty() && is_asked_for)
       statistics.warnings.push_back("layer " + id + ": " + outcome.reason);
     if (primitives && wants_pictures) warn_of_missing_value(id, *primitives, statistics);
     const auto start = Clock::now();

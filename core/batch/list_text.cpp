@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/batch/command_line.h"
+#include "core/bundle.h"
 #include "core/formats/number.h"
 
 namespace mesecina {
@@ -54,6 +55,17 @@ Json list_evolutions(const Registry& registry) {
   return list;
 }
 
+Json list_bundles(const Registry& registry) {
+  Json list = Json::array();
+  for (const Bundle& bundle : shipped_bundles(registry)) {
+    Json layers = Json::array();
+    for (const Layer_entry& layer : bundle.layers) layers.push_back(layer.id);
+    list.push_back(
+        {{"id", bundle_id(bundle.name)}, {"name", bundle.name}, {"layers", std::move(layers)}, {"help", bundle.help}});
+  }
+  return list;
+}
+
 Json list_formats(const Formats& formats) {
   Json list = Json::array();
   for (const Reader& reader : formats.readers) {
@@ -87,6 +99,7 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
     const Json list = what == "layers"       ? list_layers(registry)
                       : what == "settings"   ? list_settings(registry)
                       : what == "evolutions" ? list_evolutions(registry)
+                      : what == "bundles"    ? list_bundles(registry)
                                              : list_formats(formats);
     return list.dump(2) + "\n";
   }
@@ -100,6 +113,9 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
   } else if (what == "settings") {
     for (const Setting_spec& setting : registry.settings())
       text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + setting.help + "\n";
+  } else if (what == "bundles") {
+    for (const Bundle& bundle : shipped_bundles(registry))
+      text += padded(bundle_id(bundle.name), 28) + bundle.help + "\n";
   } else if (what == "evolutions") {
     for (const Evolution_spec& evolution : registry.evolutions())
       text += padded(evolution.id, 22) + evolution.help + "\n";

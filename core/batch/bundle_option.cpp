@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/batch/bundle_option.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "core/formats/text_file.h"
+#include "core/historical_bundles.h"
+
+namespace mesecina {
+
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Bundle>& bundles, bool as_ids) {
+  std::vector<std::string> names;
+  for (const Bundle& bundle : bundles) names.push_back(as_ids ? bundle_id(bundle.name) : bundle.name);
+  return names;
+}
+
+Bundle pick(const std::vector<Bundle>& bundles, const std::string& name, const std::string& otherwise) {
+  if (const Bundle* bundle = find_bundle(bundles, name)) return *bundle;
+  std::string nearest = nearest_name(name, names_of(bundles, true));
+  if (nearest.empty()) nearest = nearest_name(name, names_of(bundles, false));
+  throw std::invalid_argument("unknown bundle '" + name + "'" +
+                              (nearest.empty() ? "; " + otherwise : "; did you mean '" + nearest + "'?"));
+}
+
+bool is_file(const std::string& text) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(text, error);
+}
+
+}  // namespace
+
+std::vector<Bundle> read_bundle_file(const std::filesystem::path& file, const Registry& registry) {
+  const Text_file content = load_bytes(file);
+  const bool is_historical = lower_case(file.extension().string()) == ".bnd";
+  try {
+    return is_historical ? parse_historical_bundles(content.text, registry) : parse_bundles(content.text, registry);
+  } catch (const std::invalid_argument& error) {
+    throw File_error(file, 0, error.what());
+  }
+}
+
+Bundle read_bundle_option(const std::string& text, const Registry& registry) {
+  const auto hash = text.rfind('#');
+  const std::string file = is_file(text) || hash == std::string::npos ? text : text.substr(0, hash);
+  if (!is_file(file)) {
+    const bool looks_like_file =
+        text.find('/') != std::string::npos || file.ends_with(".json") || file.ends_with(".bnd");
+    if (looks_like_file) throw std::invalid_argument(file + ": there is no such file");
+    return pick(shipped_bundles(registry), text, "--list bundles shows them all");
+  }
+  const std::vector<Bundle> bundles = read_bundle_file(file, registry);
+  if (bundles.empty()) throw std::invalid_argument(file + ": there is no bundle in it");
+  if (file.size() == text.size()) return bundles.front();
+  std::string known = "there are";
+  for (const Bundle& bundle : bundles) known += (&bundle == bundles.data() ? " '" : ", '") + bundle.name + "'";
+  return pick(bundles, text.substr(hash + 1), known);
+}
+
+void take_bundle(Command_line& command_line, const Bundle& bundle, const Registry& registry) {
+  const Arrangement arrangement = apply_bundle(bundle, registry, {Settings(), default_layers(registry)});
+  command_line.settings = arrangement.settings;
+  command_line.layers.clear();
+  for (const Layer_entry& layer : bundle.layers) {
+    command_line.styles.insert_or_assign(layer.id, layer.style);
+    if (layer.style.visible) command_line.layers.push_back(layer.id);
+  }
+  command_line.as_listed = true;
+  command_line.view = bundle.view;
+  command_line.view_3 = bundle.view_3;
+  command_line.warnings.insert(command_line.warnings.end(), bundle.unknown.notes.begin(), bundle.unknown.notes.end());
+}
+
+}  // namespace mesecina

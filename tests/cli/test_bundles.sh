@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# --bundle: the same bytes each time, the same picture as what it stands for spelled out, and what wins over it.
+. "$(dirname "$0")/common.sh" "$@"
+giraffe=$examples/giraffe.wkt
+
+succeed --list bundles --json
+cp stdout bundles.json
+[ "$(jq length bundles.json)" -ge 12 ] || fail "expected a dozen bundles"
+[ "$(jq '[.[].id] | unique | length' bundles.json)" -eq "$(jq length bundles.json)" ] || fail "ids are not unique"
+succeed --list bundles
+expect_in stdout "scale-axis"
+
+# Every one computes, and gives the same bytes each time.
+jq -r '.[].id' bundles.json >ids
+while read -r id; do
+  succeed --nogui "$giraffe" --bundle "$id" --formats svg --output "first-$id" </dev/null
+  expect_not_in stderr "no values"
+  succeed --nogui "$giraffe" --bundle "$id" --formats svg --output "second-$id" </dev/null
+  expect_same "first-$id/giraffe.svg" "second-$id/giraffe.svg"
+done <ids
+
+# A file with looks, settings and a view, against the same spelled out.
+cat >mine.json <<'END'
+{"format": "mesecina-bundles", "version": 1, "dimension": 2, "bundles": [
+  {"name": "First", "layers": [{"id": "points"}]},
+  {"name": "Mine", "layers": [{"id": "medial-axis", "style": {"color": "#0a64ff", "line-width": 4.25}},
+    {"id": "outline", "style": {"filled": true}}, {"id": "grown-layer", "style": {}}],
+   "settings": {"sampling-step": 0.01}, "view": {"center": [300, 200], "scale": 2.5}}]}
+END
+echo '{"center": [300, 200], "scale": 2.5}' >mine.view.json
+succeed --nogui "$giraffe" --bundle mine.json#mine --formats svg,json --output bundle
+expect_in stderr "there is no layer 'grown-layer'"
+succeed --nogui "$giraffe" --layers medial-axis,outline --as-listed --set sampling-step=0.01 --view mine.view.json \
+  --style medial-axis.color=#0a64ff --style medial-axis.line-width=4.25 --style outline.filled=true \
+  --formats svg,json --output spelled
+expect_same bundle/giraffe.svg spelled/giraffe.svg
+expect_same bundle/giraffe.medial-axis.json spelled/giraffe.medial-axis.json
+
+# What is said beside it wins.
+succeed --nogui "$giraffe" --bundle mine.json#Mine --set sampling-step=0.02 --style medial-axis.line-width=1 \
+  --layers medial-axis --view fit --formats svg --output changed
+succeed --nogui "$giraffe" --layers medial-axis --set sampling-step=0.02 --style medial-axis.color=#0a64ff \
+  --style medial-axis.line-width=1 --view mine.view.json --formats svg --output expected
+expect_same changed/giraffe.svg expected/giraffe.svg
+
+# --resume: another bundle is another picture.
+succeed --nogui "$giraffe" --bundle points --formats svg --output resumed --resume
+cp resumed/giraffe.svg before.svg
+succeed --nogui "$giraffe" --bundle voronoi-and-delaunay --formats svg --output resumed --resume
+expect_different before.svg resumed/giraffe.svg
+
+# refuse TEXT BUNDLE: wrong usage on one line that holds the text.
+refuse() {
+  run --nogui "$giraffe" --output refused --bundle "$2"
+  expect_status 2
+  expect_lines stderr 1
+  expect_in stderr "$1"
+  expect_no_file refused
+}
+echo '{"format": "mesecina-bundles", "version": 9, "bundles": []}' >future.json
+echo '{"format": "mesecina-bundles", "version": 1, "bundles": []}' >empty.json
+printf 'abcdefgh' >old.bnd
+refuse "did you mean 'scale-axis'" scale-axs
+refuse "there is no such file" nothing.json
+refuse "did you mean 'mine'" mine.json#min
+refuse "at most 1" future.json
+refuse "no bundle in it" empty.json
+refuse "byte 0: expected the mark of a file of bundles 0xB3" old.bnd

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "core/batch/bundle_option.h"
+#include "core/bundle.h"
+
+namespace mesecina {
+namespace {
+
+using Json = nlohmann::json;
+
+Registry small_registry() {
+  Registry registry;
+  registry.begin_module({"module", "Module", "For tests."});
+  for (const char* id : {"points", "edges", "faces", "axis"}) {
+    Layer_spec layer;
+    layer.id = id;
+    layer.style.visible = layer.id == "points";
+    if (layer.id == "axis") {
+      layer.cut_value = "angle";
+      layer.cut_setting = "limit";
+    }
+    registry.add_layer(layer);
+  }
+  registry.add_setting({"limit", "Limit", "", "", 0.5, 0, 1, {}, {}});
+  registry.add_setting({"scale", "Scale", "", "", 1.2, 1, 9, {}, {}});
+  return registry;
+}
+
+std::string text_of(const Layer_list& layers) {
+  std::string text;
+  for (const Layer_entry& layer : layers) text += layer.id + (layer.style.visible ? "+ " : "- ");
+  return text;
+}
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+std::vector<Bundle> parse(const std::string& text) { return parse_bundles(text, small_registry()); }
+
+TEST(Bundle, IsReadAsItWasWritten) {
+  Bundle bundle;
+  bundle.name = "Größe \"1\"";
+  bundle.help = "Help.";
+  Style style;
+  style.visible = true;
+  style.opacity = 0.1;
+  bundle.layers = {{"axis", style}, {"points", style}};
+  bundle.settings = Settings().with("limit", 1.0 / 3);
+  bundle.view = View_2{{0.1, 2}, 3};
+  const std::string text = bundles_to_text({bundle, bundle}, small_registry());
+  EXPECT_EQ(parse(text), (std::vector<Bundle>{bundle, bundle}));
+  EXPECT_EQ(bundles_to_text(parse(text), small_registry()), text);
+}
+
+TEST(Bundle, WhatIsUnknownIsToldAndWrittenAgain) {
+  const std::string text = R"({"format": "mesecina-bundles", "version": 1, "bundles": [{"name": "A", "layers": [
+      {"id": "points"}, {"id": "axs", "style": {"magic": 5}}], "settings": {"limt": 2}}]})";
+  const std::vector<Bundle> bundles = parse(text);
+  ASSERT_EQ(bundles.size(), 1U);
+  ASSERT_EQ(bundles[0].unknown.notes.size(), 2U);
+  EXPECT_EQ(bundles[0].unknown.notes[0], "bundles[0].layers[1]: there is no layer 'axs'; did you mean 'axis'?");
+  EXPECT_EQ(bundles[0].unknown.notes[1], "bundles[0].settings: there is no setting 'limt'; did you mean 'limit'?");
+  const Json again = Json::parse(bundles_to_text(bundles, small_registry()));
+  EXPECT_EQ(again["bundles"][0]["layers"][1], Json::parse(R"({"id": "axs", "style": {"magic": 5}})"));
+  EXPECT_EQ(again["bundles"][0]["settings"]["limt"], 2);
+}
+
+TEST(Bundle, FilesBeforeVersionOneAreRead) {
+  EXPECT_EQ(parse(R"([{"name": "A"}, {"name": "B"}])").size(), 2U);
+  EXPECT_EQ(parse(R"({"name": "A", "layers": [{"id": "axis"}]})")[0].layers.size(), 1U);
+}
+
+TEST(Bundle, OtherFilesAreRefused) {
+  EXPECT_EQ(refusal([] { parse("{"); }).substr(0, 8), "no JSON:");
+  EXPECT_EQ(refusal([] { parse("{}"); }),
+            "the file: expected bundles: {\"format\": \"mesecina-bundles\", ...}, found {}");
+  EXPECT_EQ(refusal([] { parse(R"({"format": "mesecina-bundles", "version": 2})"); }),
+            "version: expected at most 1, as a newer program wrote this, found 2");
+  EXPECT_EQ(refusal([] { parse(R"({"format": "mesecina-bundles", "version": 1, "dimension": 3, "bundles": []})"); }),
+            "dimension: expected 2, for bundles of this program, found 3");
+  EXPECT_EQ(refusal([] { parse(R"([{"help": ""}])"); }), "bundles[0].name: expected a text, found nothing");
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "settings": {"limit": 7}}])"); }),
+            "bundles[0].settings.limit: setting limit: expected a number >= 0 and <= 1, found '7'");
+}
+
+TEST(Bundle, SwitchesOffWhatItDoesNotHave) {
+  const Registry registry = small_registry();
+  const Bundle bundle = parse(R"([{"name": "A", "layers": [{"id": "axis"}, {"id": "edges", "style": {"opacity": 0.5}}],
+      "settings": {"limit": 0.5}}])")[0];
+  Arrangement before{Settings().with("limit", 0.25).with("scale", 2.0), default_layers(registry)};
+  before.layers[2].style.opacity = 0.125;
+  const Arrangement after = apply_bundle(bundle, registry, before);
+  EXPECT_EQ(text_of(after.layers), "points- axis+ edges+ faces- ");
+  EXPECT_EQ(find_entry(after.layers, "faces")->style.opacity, 0.125);
+  EXPECT_EQ(find_entry(after.layers, "edges")->style.opacity, 0.5);
+  // A default is no change; what the bundle does not name stays.
+  EXPECT_EQ(after.settings, Settings().with("scale", 2.0));
+  EXPECT_EQ(apply_bundle(bundle, registry, after), after);
+}
+
+TEST(Bundle, HoldsWhatIsSeenAndItsLimits) {
+  const Registry registry = small_registry();
+  Arrangement arrangement{Settings().with("scale", 2.0), default_layers(registry)};
+  find_entry(arrangement.layers, "axis")->style.visible = true;
+  const Bundle bundle = bundle_of(arrangement, registry, "Mine");
+  EXPECT_EQ(text_of(bundle.layers), "points+ axis+ ");
+  EXPECT_EQ(bundle.settings, Settings().with("scale", 2.0).with("limit", 0.5));
+  EXPECT_EQ(apply_bundle(bundle, registry, arrangement), arrangement);
+}
+
+TEST(Bundle, IsFoundByNameAndId) {
+  EXPECT_EQ(bundle_id("  Scale axis, s = 1.2!"), "scale-axis-s-1-2");
+  std::vector<Bundle> bundles(2);
+  bundles[0].name = "Scale axis";
+  bundles[1].name = "Mine";
+  EXPECT_EQ(find_bundle(bundles, "scale-axis"), bundles.data());
+  EXPECT_EQ(find_bundle(bundles, "Scale axis"), bundles.data());
+  EXPECT_EQ(find_bundle(bundles, "scale"), nullptr);
+  EXPECT_EQ(free_name(bundles, "Mine"), "Mine 2");
+  EXPECT_EQ(free_name(bundles, "Other"), "Other");
+}
+
+}  // namespace
+}  // namespace mesecina
