@@ -87,6 +87,8 @@ void Main_window_2::build_canvas() {
 
 void Main_window_2::build_docks() {
   build_panels();
+  bundles_->set_view_access([this](Bundle& bundle) { bundle.view = canvas_->view(); },
+                            [this](const Bundle& bundle) { canvas_->set_view(*bundle.view); });
   // Few shapes are more than one disk beyond this.
   constexpr double usual_maximum = 3;
   settings_panel_->set_slider_maximum(std::string(scale_setting.id), usual_maximum);

@@ -150,6 +150,7 @@ void Main_window_2::make_view_actions() {
   add("zoom-out", tr("Zoom &out"), tr("Smaller; the wheel zooms about the cursor"),
       {QKeySequence(Qt::Key_Minus), QKeySequence(Qt::CTRL | Qt::Key_Minus)}, [this] { canvas_->zoom(1 / zoom_step); });
   make_layer_actions();
+  make_bundle_actions();
   make_settings_actions();
   make_look_actions();
 
@@ -227,6 +228,7 @@ void Main_window_2::make_menus() {
   QMenu* view = menu(tr("&View"));
   actions_->add_to(view, {"fit", "previous-view", "zoom-in", "zoom-out", "-", "toggle-layers", "solo-layers",
                           "show-all-layers", "find-layer", "find-setting", "-"});
+  add_bundle_menu(view);
   add_look_menus(view);
 
   // Alt+H shows all layers.

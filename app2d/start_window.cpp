@@ -10,7 +10,8 @@ int start_window(int argc, char** argv, const Command_line& command_line,
                  const std::shared_ptr<const Registry>& registry, const Formats& formats) {
   const Program_identity identity{QStringLiteral("mesecina2d"), QStringLiteral(MESECINA_VERSION)};
   const auto make_window = [&]() -> std::unique_ptr<Program_window> {
-    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles};
+    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
+                    command_line.as_listed};
     if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
     return std::make_unique<Main_window_2>(registry, formats, startup);
   };

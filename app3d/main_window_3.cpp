@@ -95,6 +95,13 @@ void Main_window_3::build_canvas() {
 
 void Main_window_3::build_docks() {
   build_panels();
+  bundles_->set_view_access(
+      [this](Bundle& bundle) {
+        if (viewer_) bundle.view_3 = viewer_->view();
+      },
+      [this](const Bundle& bundle) {
+        if (viewer_) viewer_->go_to(*bundle.view_3);
+      });
   balls_table_ = new Input_table_3(Rows_3::balls, *editor_, this);
   points_table_ = new Input_table_3(Rows_3::points, *editor_, this);
   QDockWidget* balls = add_dock(QStringLiteral("balls-dock"), tr("Balls"), balls_table_, Qt::RightDockWidgetArea);

@@ -109,6 +109,7 @@ void Main_window_3::make_menus() {
   QMenu* view = menu(tr("&View"));
   add_view_menus(view);
   actions_->add_to(view, {"-", "toggle-layers", "solo-layers", "show-all-layers", "find-layer", "find-setting", "-"});
+  add_bundle_menu(view);
   add_look_menus(view);
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));

@@ -62,7 +62,7 @@ void Main_window_3::make_view_actions() {
       {QKeySequence(Qt::Key_Minus), QKeySequence(Qt::CTRL | Qt::Key_Minus)},
       [](Viewer_3& viewer) { viewer.zoom(1 / zoom_step); });
   add("projection", tr("Perspective or orthographi&c"), tr("Parallel lines meet far away, or stay parallel"),
-      {QKeySequence(Qt::Key_5), pad(Qt::Key_5)}, [](Viewer_3& viewer) {
+      {pad(Qt::Key_5)}, [](Viewer_3& viewer) {
         viewer.set_projection(viewer.destination().camera.projection == Camera_3::Projection::perspective
                                   ? Camera_3::Projection::orthographic
                                   : Camera_3::Projection::perspective);
@@ -77,6 +77,7 @@ void Main_window_3::make_view_actions() {
   make_plane_actions();
   make_path_actions();
   make_layer_actions();
+  make_bundle_actions();
   make_settings_actions();
   make_look_actions();
 }

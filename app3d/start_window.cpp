@@ -11,7 +11,8 @@ int start_window(int argc, char** argv, const Command_line& command_line,
   const Program_identity identity{QStringLiteral("mesecina3d"), QStringLiteral(MESECINA_VERSION),
                                   QSurfaceFormat::CompatibilityProfile};
   const auto make_window = [&]() -> std::unique_ptr<Program_window> {
-    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles};
+    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
+                    command_line.as_listed};
     if (command_line.view_3) startup.seen_3 = Seen_3{*command_line.view_3, command_line.key_frames};
     return std::make_unique<Main_window_3>(registry, formats, startup);
   };

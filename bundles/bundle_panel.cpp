@@ -2,6 +2,7 @@
 #include "bundles/bundle_panel.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -117,6 +118,7 @@ Bundle_panel::Bundle_panel(QWidget* parent)
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setMouseTracking(true);
+  list_->installEventFilter(this);
   connect(list_, &QListWidget::itemClicked, this,
           [this](const QListWidgetItem* item) { Q_EMIT chosen(list_->row(item)); });
   connect(list_, &QListWidget::itemChanged, this, &Bundle_panel::tell_rename);
@@ -182,6 +184,21 @@ void Bundle_panel::edit_name(int row) {
   select(row);
   list_->setFocus(Qt::ShortcutFocusReason);
   list_->editItem(list_->item(row));
+}
+
+bool Bundle_panel::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  const int key = is_key ? static_cast<QKeyEvent*>(event)->key() : 0;
+  const bool applies = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (watched != list_ || (!applies && key != Qt::Key_Delete)) return QWidget::eventFilter(watched, event);
+  event->accept();
+  const int row = selected();
+  if (event->type() == QEvent::ShortcutOverride || row < 0) return true;
+  if (applies)
+    Q_EMIT chosen(row);
+  else
+    Q_EMIT remove_requested(row);
+  return true;
 }
 
 void Bundle_panel::tell_rename(const QListWidgetItem* item) {

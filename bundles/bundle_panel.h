@@ -38,6 +38,10 @@ class Bundle_panel : public QWidget {
   void renamed(int row, const QString& name);
   /// The bundle of row `from` goes where it has the row `to` afterwards.
   void moved(int from, int to);
+  void remove_requested(int row);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void tell_rename(const QListWidgetItem* item);

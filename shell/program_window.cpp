@@ -18,6 +18,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bundles/bundle_panel.h"
 #include "shell/preferences.h"
 #include "shell/setting_values.h"
 
@@ -123,6 +124,10 @@ void Program_window::build_panels() {
   settings_panel_ = new Settings_panel(registry_, this);
   settings_browser_ = new Settings_browser(settings_panel_, this);
   layers_dock_ = add_dock(QStringLiteral("layers-dock"), tr("Layers"), layer_panel_, Qt::LeftDockWidgetArea);
+  bundles_ = new Window_bundles(registry_, document_, *messages_, program_, this);
+  bundles_dock_ = add_dock(QStringLiteral("bundles-dock"), tr("Bundles"), bundles_->panel(), Qt::LeftDockWidgetArea);
+  tabifyDockWidget(layers_dock_, bundles_dock_);
+  layers_dock_->raise();
   settings_dock_ =
       add_dock(QStringLiteral("settings-dock"), tr("Settings"), settings_browser_, Qt::RightDockWidgetArea);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -226,6 +231,17 @@ void Program_window::make_layer_actions() {
   });
 }
 
+void Program_window::make_bundle_actions() { bundles_->make_actions(*actions_, bundles_dock_, common_files_); }
+
+void Program_window::add_bundle_menu(QMenu* view) const {
+  QMenu* menu = view->addMenu(tr("&Bundles"));
+  QStringList ids;
+  for (int i = 1; i <= 9; ++i) ids << QStringLiteral("bundle-%1").arg(i);
+  ids << QStringLiteral("-");
+  actions_->add_to(menu, ids + QStringList{"save-bundle", "save-bundle-with-view", "update-bundle", "rename-bundle",
+                                           "delete-bundle", "-", "import-bundles", "export-bundles", "reset-bundles"});
+}
+
 void Program_window::make_look_actions() {
   const QString group = tr("View");
   const auto add_choice = [&](QActionGroup* choices, const char* id, const QString& text, const QString& tip,
@@ -301,7 +317,12 @@ Document_state first_state(const Registry& registry, const Startup& startup, con
   if (startup.layers.empty()) {
     state.layers = usual_layers(state.inputs);
   } else {
-    state.layers = default_layers(registry);
+    if (startup.as_listed) {
+      for (const std::string& id : startup.layers) {
+        if (!find_entry(state.layers, id)) state.layers.push_back({id, registry.find_layer(id)->style});
+      }
+    }
+    state.layers = with_missing_layers(std::move(state.layers), registry);
     for (Layer_entry& entry : state.layers) entry.style.visible = std::ranges::count(startup.layers, entry.id) > 0;
   }
   for (Layer_entry& entry : state.layers) {

@@ -26,6 +26,7 @@
 #include "shell/shortcut_editor.h"
 #include "shell/status_progress.h"
 #include "shell/theme.h"
+#include "shell/window_bundles.h"
 
 class QDockWidget;
 class QLabel;
@@ -52,7 +53,8 @@ struct Startup {
   std::vector<std::string> layers;           ///< the visible ones; none: a sensible few
   Settings settings;
   std::map<std::string, Style> styles =
-      {};  ///< by layer: looks other than the usual ones; of `visible` `layers` decides
+      {};                  ///< by layer: looks other than the usual ones; of `visible` `layers` decides
+  bool as_listed = false;  ///< `layers` from bottom to top, not in the order of the registry
   /// None: all of the data.
   std::optional<Seen_2> seen = {};
   std::optional<Seen_3> seen_3 = {};
@@ -90,6 +92,7 @@ class Program_window : public QMainWindow {
   bool is_busy() const { return has_file_jobs() || computation_.is_busy(); }
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
+  Window_bundles& bundles() { return *bundles_; }
   Layer_panel& layer_panel() { return *layer_panel_; }
   Layer_notes& layer_notes() { return *notes_; }
   /// Of the widget that is open over the canvas; null for none.
@@ -110,6 +113,8 @@ class Program_window : public QMainWindow {
   /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection.
   void make_nudge_actions(const std::function<void(int right, int up)>& nudge);
   void make_layer_actions();
+  void make_bundle_actions();
+  void add_bundle_menu(QMenu* view) const;
   /// To find, reset, save and load settings.
   void make_settings_actions();
   /// Themes, background, full screen.
@@ -159,7 +164,9 @@ class Program_window : public QMainWindow {
   Layer_panel* layer_panel_ = nullptr;
   Settings_panel* settings_panel_ = nullptr;
   Settings_browser* settings_browser_ = nullptr;
+  Window_bundles* bundles_ = nullptr;
   QDockWidget* layers_dock_ = nullptr;
+  QDockWidget* bundles_dock_ = nullptr;
   QDockWidget* settings_dock_ = nullptr;
   Recent_files* recent_files_ = nullptr;
   Status_progress* computing_ = nullptr;

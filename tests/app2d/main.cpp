@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QLocale>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   // As the program does; preferences of whoever runs the tests stay as they are.
   QLocale::setDefault(QLocale::c());
   const QTemporaryDir preferences;
+  qputenv("XDG_DATA_HOME", QFile::encodeName(preferences.path()));
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, preferences.path());
   QApplication application(argc, argv);
   return RUN_ALL_TESTS();

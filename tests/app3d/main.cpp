@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QLocale>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(format);
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   const QTemporaryDir preferences;
+  qputenv("XDG_DATA_HOME", QFile::encodeName(preferences.path()));
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, preferences.path());
   QApplication application(argc, argv);
   return RUN_ALL_TESTS();

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shell/window_bundles.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "bundles/bundle_panel.h"
+#include "core/batch/bundle_option.h"
+#include "shell/actions.h"
+#include "shell/document.h"
+#include "shell/files.h"
+#include "shell/message_bar.h"
+
+namespace mesecina {
+
+namespace {
+
+constexpr int keys = 9;
+
+QString list_file(const QString& program) {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+         QStringLiteral("/mesecina/%1-bundles.json").arg(program);
+}
+
+QString name_of(const Bundle& bundle) { return QString::fromStdString(bundle.name); }
+
+}  // namespace
+
+Window_bundles::Window_bundles(std::shared_ptr<const Registry> registry, Document& document, Message_bar& messages,
+                               const QString& program, QWidget* parent)
+    : QObject(parent),
+      registry_(std::move(registry)),
+      document_(document),
+      messages_(messages),
+      store_(registry_, document.history(), list_file(program)),
+      panel_(new Bundle_panel(parent)) {
+  const QString reason = store_.load();
+  if (!reason.isEmpty()) messages_.add(Message_bar::Kind::warning, reason);
+  connect(&store_, &Bundle_store::changed, this, &Window_bundles::show_list);
+  connect(&store_, &Bundle_store::failed, this,
+          [this](const QString& text) { messages_.add(Message_bar::Kind::error, text); });
+  connect(&document_, &Document::changed, this, [this](const Document_change& change) {
+    if (change.settings || change.layers) mark_shown();
+  });
+  connect(panel_, &Bundle_panel::chosen, this, &Window_bundles::apply);
+  // The panel is in the midst of its own change when it tells of these.
+  connect(panel_, &Bundle_panel::renamed, this, &Window_bundles::rename, Qt::QueuedConnection);
+  connect(panel_, &Bundle_panel::remove_requested, this, &Window_bundles::remove);
+  connect(
+      panel_, &Bundle_panel::moved, this,
+      [this](int from, int to) {
+        change(from, tr("Move bundle"), [from, to](std::vector<Bundle>& bundles) {
+          Bundle bundle = bundles[static_cast<std::size_t>(from)];
+          bundles.erase(bundles.begin() + from);
+          bundles.insert(bundles.begin() + std::clamp(to, 0, static_cast<int>(bundles.size())), std::move(bundle));
+        });
+      },
+      Qt::QueuedConnection);
+  show_list();
+}
+
+void Window_bundles::set_view_access(std::function<void(Bundle&)> read, std::function<void(const Bundle&)> show) {
+  read_view_ = std::move(read);
+  show_view_ = std::move(show);
+}
+
+void Window_bundles::make_actions(Actions& actions, QDockWidget* dock, Files* files) {
+  dock_ = dock;
+  files_ = files;
+  const QString group = tr("Bundles");
+  const auto add = [&](const char* id, const QString& text, const QString& tip, const QList<QKeySequence>& shortcuts,
+                       std::function<void()> run) {
+    return actions.add(group, {QLatin1String(id), text, tip, shortcuts}, std::move(run));
+  };
+  for (int i = 0; i < keys; ++i)
+    add(qPrintable(QStringLiteral("bundle-%1").arg(i + 1)), tr("Bundle &%1").arg(i + 1),
+        tr("Show layers, looks and settings of bundle %1 of the list").arg(i + 1),
+        {QKeySequence(static_cast<Qt::Key>(Qt::Key_1 + i))}, [this, i] { apply(i); });
+  QAction* save = add("save-bundle", tr("&Save as bundle"),
+                      tr("Keep the visible layers, their order and looks, and the settings, under a name"),
+                      {QKeySequence(Qt::CTRL | Qt::Key_B)}, [this] { save_as_new(false); });
+  QAction* save_view =
+      add("save-bundle-with-view", tr("Save as bundle with &view"), tr("The same, and the part that is seen"),
+          {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B)}, [this] { save_as_new(true); });
+  QAction* import = add("import-bundles", tr("&Import bundles…"),
+                        tr("Add the bundles of a file, also of the .bnd files of earlier programs"), {}, [this] {
+                          const QString path = QFileDialog::getOpenFileName(panel_, tr("Import bundles"), {},
+                                                                            tr("Bundles (*.json *.bnd)"));
+                          if (!path.isEmpty()) import_file(path);
+                        });
+  QAction* write =
+      add("export-bundles", tr("&Export bundles…"), tr("Write all bundles of the list to a file"), {}, [this] {
+        const QString path = files_->choose_for_writing(tr("Export bundles"), tr("bundles"), tr("Bundles (*.json)"));
+        if (!path.isEmpty()) export_file(path);
+      });
+  QAction* reset = add("reset-bundles", tr("&Reset shipped bundles"),
+                       tr("Bundles that came with the program are as they were; yours stay"), {}, [this] {
+                         std::vector<Bundle> bundles = shipped_bundles(*registry_);
+                         for (const Bundle& bundle : store_.bundles()) {
+                           if (!find_bundle(bundles, bundle_id(bundle.name))) bundles.push_back(bundle);
+                         }
+                         store_.edit(std::move(bundles), tr("Reset shipped bundles"));
+                       });
+  QAction* change_it =
+      add("update-bundle", tr("&Update bundle"), tr("The selected bundle of the list becomes what is on screen"), {},
+          [this] { update(panel_->selected()); });
+  QAction* rename_it = actions.add(group,
+                                   {QStringLiteral("rename-bundle"),
+                                    tr("Re&name bundle"),
+                                    tr("Type another name for the selected bundle"),
+                                    {QKeySequence(Qt::Key_F2)},
+                                    {},
+                                    false,
+                                    panel_},
+                                   [this] { panel_->edit_name(panel_->selected()); });
+  QAction* delete_it = add("delete-bundle", tr("&Delete bundle"), tr("Take the selected bundle from the list"), {},
+                           [this] { remove(panel_->selected()); });
+  panel_->set_menu_actions({save, save_view, import, write, reset}, {change_it, rename_it, delete_it});
+}
+
+void Window_bundles::apply(int row) {
+  if (row < 0 || row >= static_cast<int>(store_.bundles().size())) return;
+  const Bundle bundle = store_.bundles()[static_cast<std::size_t>(row)];
+  Document_state state = document_.state();
+  Arrangement arrangement = apply_bundle(bundle, *registry_, {state.settings, state.layers});
+  state.settings = std::move(arrangement.settings);
+  state.layers = std::move(arrangement.layers);
+  document_.edit(std::move(state), tr("Bundle '%1'").arg(name_of(bundle)));
+  if (show_view_ && (bundle.view || bundle.view_3)) show_view_(bundle);
+  for (const std::string& note : bundle.unknown.notes)
+    messages_.add(Message_bar::Kind::warning, tr("Bundle '%1': %2").arg(name_of(bundle), QString::fromStdString(note)));
+  panel_->select(row);
+  mark_shown();
+}
+
+Bundle Window_bundles::current(const QString& name) const {
+  return bundle_of({document_.settings(), document_.layers()}, *registry_, name.toStdString());
+}
+
+void Window_bundles::save_as_new(bool with_view) {
+  Bundle bundle = current(QString::fromStdString(free_name(store_.bundles(), tr("My bundle").toStdString())));
+  if (with_view && read_view_) read_view_(bundle);
+  std::vector<Bundle> bundles = store_.bundles();
+  bundles.push_back(std::move(bundle));
+  store_.edit(std::move(bundles), tr("Save bundle"));
+  if (dock_) {
+    dock_->show();
+    dock_->raise();
+  }
+  panel_->edit_name(static_cast<int>(store_.bundles().size()) - 1);
+}
+
+void Window_bundles::change(int row, const QString& text, const std::function<void(std::vector<Bundle>&)>& change) {
+  std::vector<Bundle> bundles = store_.bundles();
+  if (row < 0 || row >= static_cast<int>(bundles.size())) return;
+  change(bundles);
+  store_.edit(std::move(bundles), text);
+}
+
+void Window_bundles::update(int row) {
+  change(row, tr("Update bundle"), [&](std::vector<Bundle>& bundles) {
+    Bundle& old = bundles[static_cast<std::size_t>(row)];
+    Bundle bundle = current(name_of(old));
+    bundle.help = old.help;
+    bundle.unknown = old.unknown;
+    if ((old.view || old.view_3) && read_view_) read_view_(bundle);
+    old = std::move(bundle);
+  });
+}
+
+void Window_bundles::rename(int row, const QString& name) {
+  const std::string wanted = name.trimmed().toStdString();
+  change(row, tr("Rename bundle"), [&](std::vector<Bundle>& bundles) {
+    std::vector<Bundle> others = bundles;
+    others.erase(others.begin() + row);
+    if (!wanted.empty()) bundles[static_cast<std::size_t>(row)].name = free_name(others, wanted);
+  });
+  show_list();
+}
+
+void Window_bundles::remove(int row) {
+  change(row, tr("Delete bundle"), [row](std::vector<Bundle>& bundles) { bundles.erase(bundles.begin() + row); });
+}
+
+void Window_bundles::import_file(const QString& path) {
+  try {
+    std::vector<Bundle> bundles = store_.bundles();
+    const std::vector<Bundle> read = read_bundle_file(path.toStdString(), *registry_);
+    for (Bundle bundle : read) {
+      bundle.name = free_name(bundles, bundle.name);
+      for (const std::string& note : bundle.unknown.notes)
+        messages_.add(Message_bar::Kind::warning, QString::fromStdString(note));
+      bundles.push_back(std::move(bundle));
+    }
+    store_.edit(std::move(bundles), tr("Import bundles"));
+    messages_.add(Message_bar::Kind::note,
+                  tr("%1: %n bundle(s) added to the list", "", static_cast<int>(read.size())).arg(path));
+  } catch (const std::exception& error) {
+    messages_.add(Message_bar::Kind::error, QString::fromStdString(error.what()));
+  }
+}
+
+void Window_bundles::export_file(const QString& path) {
+  QSaveFile file(path);
+  const std::string text = bundles_to_text(store_.bundles(), *registry_);
+  if (file.open(QIODevice::WriteOnly)) file.write(text.data(), static_cast<qint64>(text.size()));
+  if (!file.commit())
+    messages_.add(Message_bar::Kind::error, tr("%1: cannot be written (%2)").arg(path, file.errorString()));
+}
+
+void Window_bundles::show_list() {
+  panel_->set_bundles(store_.bundles());
+  mark_shown();
+}
+
+void Window_bundles::mark_shown() {
+  const Arrangement shown{document_.settings(), document_.layers()};
+  const auto& bundles = store_.bundles();
+  const auto found = std::ranges::find_if(
+      bundles, [&](const Bundle& bundle) { return apply_bundle(bundle, *registry_, shown) == shown; });
+  panel_->set_shown(found == bundles.end() ? -1 : static_cast<int>(found - bundles.begin()));
+}
+
+}  // namespace mesecina

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+
+#include "core/bundle.h"
+#include "shell/bundle_store.h"
+
+class QDockWidget;
+
+namespace mesecina {
+
+class Actions;
+class Bundle_panel;
+class Document;
+class Files;
+class Message_bar;
+
+/// The bundles of a window: what the panel and the actions do with the list and the document.
+class Window_bundles : public QObject {
+  Q_OBJECT
+ public:
+  /// Reads the user's list.
+  Window_bundles(std::shared_ptr<const Registry> registry, Document& document, Message_bar& messages,
+                 const QString& program, QWidget* parent);
+
+  Bundle_panel* panel() { return panel_; }
+  Bundle_store& store() { return store_; }
+
+  /// Bundles keep and show views by these; without them, they do not.
+  void set_view_access(std::function<void(Bundle&)> read, std::function<void(const Bundle&)> show);
+  /// `dock` is shown when a name is to be typed. `files` asks for names of files.
+  void make_actions(Actions& actions, QDockWidget* dock, Files* files);
+
+  /// Does nothing for a row that is not there.
+  void apply(int row);
+  void save_as_new(bool with_view);
+  /// Adds the bundles of the file, `.bnd` or JSON, and tells what was in it.
+  void import_file(const QString& path);
+  void export_file(const QString& path);
+
+ private:
+  Bundle current(const QString& name) const;
+  void change(int row, const QString& text, const std::function<void(std::vector<Bundle>&)>& change);
+  void update(int row);
+  void rename(int row, const QString& name);
+  void remove(int row);
+  void show_list();
+  void mark_shown();
+
+  std::shared_ptr<const Registry> registry_;
+  Document& document_;
+  Message_bar& messages_;
+  Bundle_store store_;
+  Bundle_panel* panel_;
+  QDockWidget* dock_ = nullptr;
+  Files* files_ = nullptr;
+  std::function<void(Bundle&)> read_view_;
+  std::function<void(const Bundle&)> show_view_;
+};
+
+}  // namespace mesecina

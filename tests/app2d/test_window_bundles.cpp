@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QtTest>
+
+#include "bundles/bundle_panel.h"
+#include "core/bundle.h"
+#include "geometries/modules_2.h"
+#include "shell/bundle_store.h"
+#include "window_fixture.h"
+
+namespace mesecina {
+namespace {
+
+class Window_bundles_test : public Window_fixture {
+ protected:
+  void SetUp() override {
+    open_window();
+    QFile::remove(store().file());
+    QFile::remove(store().file() + ".broken");
+    open_window();
+  }
+  void TearDown() override { QFile::remove(store().file()); }
+
+  Bundle_store& store() { return window().bundles().store(); }
+  Bundle_panel& panel() { return *window().bundles().panel(); }
+  QListWidget* list() { return panel().findChild<QListWidget*>("bundle-list"); }
+  std::string name(std::size_t row) { return store().bundles().at(row).name; }
+  void show_panel() {
+    for (QDockWidget* dock : window().findChildren<QDockWidget*>("bundles-dock")) dock->raise();
+    ASSERT_TRUE(wait_until([&] { return list()->isVisible(); }));
+  }
+  bool is_on_screen(const Bundle& bundle) {
+    const Arrangement shown{document().settings(), document().layers()};
+    return apply_bundle(bundle, *make_registry_2(), shown) == shown;
+  }
+  QString text_after_rename(const QString& text) {
+    auto* editor = list()->viewport()->findChild<QLineEdit*>();
+    if (!editor) return "no editor";
+    editor->setText(text);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    return QString::fromStdString(store().bundles().back().name);
+  }
+};
+
+TEST_F(Window_bundles_test, DigitsApplyOneAsOneStep) {
+  const Document_state before = document().state();
+  const int steps = document().history().index();
+  press(Qt::Key_3);
+  EXPECT_TRUE(is_on_screen(store().bundles()[2]));
+  EXPECT_EQ(document().history().index(), steps + 1);
+  EXPECT_EQ(document().history().undoText(), "Bundle '" + QString::fromStdString(name(2)) + "'");
+  EXPECT_TRUE(list()->item(2)->data(Qt::UserRole + 1).toBool());
+  press(Qt::Key_7);
+  EXPECT_TRUE(is_on_screen(store().bundles()[6]));
+  EXPECT_FALSE(list()->item(2)->data(Qt::UserRole + 1).toBool());
+  document().history().undo();
+  document().history().undo();
+  EXPECT_EQ(document().layers(), before.layers);
+  EXPECT_EQ(document().settings(), before.settings);
+}
+
+TEST_F(Window_bundles_test, DigitsInATextFieldAreText) {
+  trigger("find-layer");
+  auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+  ASSERT_NE(field, nullptr);
+  const int steps = document().history().index();
+  QTest::keyClick(field, Qt::Key_3);
+  EXPECT_EQ(field->text(), "3");
+  EXPECT_EQ(document().history().index(), steps);
+}
+
+TEST_F(Window_bundles_test, AClickApplies) {
+  show_panel();
+  QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualItemRect(list()->item(1)).center());
+  EXPECT_TRUE(is_on_screen(store().bundles()[1]));
+}
+
+TEST_F(Window_bundles_test, IsSavedUnderATypedNameAndUndone) {
+  const std::size_t count = store().bundles().size();
+  press(Qt::Key_4);
+  trigger("save-bundle");
+  ASSERT_EQ(store().bundles().size(), count + 1);
+  EXPECT_EQ(text_after_rename("Figure 3"), "Figure 3");
+  press(Qt::Key_1);
+  window().bundles().apply(static_cast<int>(count));
+  EXPECT_TRUE(is_on_screen(store().bundles()[3]));
+  document().history().undo();
+  document().history().undo();
+  document().history().undo();
+  EXPECT_EQ(name(count), "My bundle");
+  document().history().undo();
+  EXPECT_EQ(store().bundles().size(), count);
+  document().history().redo();
+  EXPECT_EQ(store().bundles().size(), count + 1);
+}
+
+TEST_F(Window_bundles_test, NamesStayUniqueAndAreNeverEmpty) {
+  trigger("save-bundle");
+  EXPECT_EQ(text_after_rename("Scale axis"), "Scale axis 2");
+  trigger("rename-bundle");
+  EXPECT_EQ(text_after_rename("  "), "Scale axis 2");
+}
+
+TEST_F(Window_bundles_test, DeleteInTheListTakesBundlesAndNotPoints) {
+  show_panel();
+  const std::size_t count = store().bundles().size();
+  const std::size_t point_count = points().size();
+  trigger("select-all");
+  const std::string second = name(1);
+  panel().select(0);
+  list()->setFocus();
+  QTest::keyClick(list(), Qt::Key_Delete);
+  EXPECT_EQ(store().bundles().size(), count - 1);
+  EXPECT_EQ(name(0), second);
+  EXPECT_EQ(points().size(), point_count);
+  document().history().undo();
+  EXPECT_EQ(store().bundles().size(), count);
+}
+
+TEST_F(Window_bundles_test, RowsThatAreMovedAreMovedInTheList) {
+  const std::string first = name(0);
+  const std::string second = name(1);
+  ASSERT_TRUE(list()->model()->moveRow({}, 0, {}, 2));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(name(0), second);
+  EXPECT_EQ(name(1), first);
+  document().history().undo();
+  EXPECT_EQ(name(0), first);
+  EXPECT_EQ(list()->item(0)->text().toStdString(), first);
+}
+
+TEST_F(Window_bundles_test, TheListIsKeptFromRunToRun) {
+  trigger("save-bundle");
+  text_after_rename("Kept");
+  panel().select(0);
+  trigger("delete-bundle");
+  const std::vector<Bundle> before = store().bundles();
+  open_window();
+  EXPECT_EQ(store().bundles(), before);
+  trigger("reset-bundles");
+  EXPECT_EQ(name(0), shipped_bundles(*make_registry_2())[0].name);
+  EXPECT_EQ(store().bundles().back().name, "Kept");
+}
+
+TEST_F(Window_bundles_test, ABrokenListIsKeptAsideAndTold) {
+  QFile file(store().file());
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"mesecina-bundles\", \"version\": 99}");
+  file.close();
+  open_window();
+  EXPECT_EQ(store().bundles(), shipped_bundles(*make_registry_2()));
+  EXPECT_TRUE(QFile::exists(store().file() + ".broken"));
+  ASSERT_EQ(window().messages().lines().size(), 1);
+  EXPECT_TRUE(window().messages().lines().front().contains("at most 1"));
+}
+
+TEST_F(Window_bundles_test, ExportedFilesAreImportedBesideTheOthers) {
+  const std::size_t count = store().bundles().size();
+  const QString path = folder_.filePath("all.json");
+  window().bundles().export_file(path);
+  window().bundles().import_file(path);
+  ASSERT_EQ(store().bundles().size(), 2 * count);
+  EXPECT_EQ(name(count), name(0) + " 2");
+  EXPECT_EQ(store().bundles()[count].layers, store().bundles()[0].layers);
+  window().bundles().import_file(write("bad.bnd", "abcdefgh"));
+  EXPECT_EQ(store().bundles().size(), 2 * count);
+  EXPECT_TRUE(window().messages().lines().join("").contains("byte 0"));
+}
+
+TEST_F(Window_bundles_test, UpdateTakesWhatIsOnScreen) {
+  press(Qt::Key_2);
+  panel().select(0);
+  trigger("update-bundle");
+  EXPECT_EQ(store().bundles()[0].layers, store().bundles()[1].layers);
+  EXPECT_EQ(store().bundles()[0].name, shipped_bundles(*make_registry_2())[0].name);
+}
+
+TEST_F(Window_bundles_test, AViewIsKeptOnlyWhenAsked) {
+  trigger("save-bundle");
+  EXPECT_FALSE(store().bundles().back().view);
+  trigger("save-bundle-with-view");
+  ASSERT_TRUE(store().bundles().back().view);
+  const View_2 view = canvas().view();
+  trigger("zoom-in");
+  ASSERT_NE(canvas().view(), view);
+  window().bundles().apply(static_cast<int>(store().bundles().size()) - 1);
+  EXPECT_EQ(canvas().view(), view);
+}
+
+}  // namespace
+}  // namespace mesecina
