@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPointer>
 #include <QtTest>
 
 #include "bundles/bundle_panel.h"
 #include "core/bundle.h"
 #include "geometries/modules_2.h"
-#include "shell/bundle_store.h"
 #include "window_fixture.h"
 
 namespace mesecina {
@@ -38,10 +39,11 @@ class Window_bundles_test : public Window_fixture {
     return apply_bundle(bundle, *make_registry_2(), shown) == shown;
   }
   QString text_after_rename(const QString& text) {
-    auto* editor = list()->viewport()->findChild<QLineEdit*>();
+    const QPointer<QLineEdit> editor = list()->viewport()->findChild<QLineEdit*>();
     if (!editor) return "no editor";
     editor->setText(text);
     QTest::keyClick(editor, Qt::Key_Return);
+    wait_until([&] { return !editor; });
     QCoreApplication::processEvents();
     return QString::fromStdString(store().bundles().back().name);
   }
