@@ -10,7 +10,10 @@ namespace mesecina {
 void Program_window::make_settings_actions() {
   const auto add = [&](const char* id, const QString& text, const QString& tip, const QKeySequence& key,
                        std::function<void()> run) {
-    return actions_->add(tr("Settings"), {QLatin1String(id), text, tip, {key}}, std::move(run));
+    return actions_->add(
+        tr("Settings"),
+        {QLatin1String(id), text, tip, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key}},
+        std::move(run));
   };
   add("find-setting", tr("Find a se&tting"), tr("Type a part of its name or of what it does"),
       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F), [this] {
