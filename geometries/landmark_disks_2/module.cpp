@@ -121,7 +121,7 @@ void register_landmark_disks_2(Registry& registry) {
   });
   {
     Layer_spec layer = make_landmark_layer(
-        "landmark-disks-grown", "Grown landmark disks",
+        "landmark-disks-grown", "Landmark disks: grown",
         "The landmark disks, all grown by the least factor at which each disk is in one of them. [B. Miklos: The Scale "
         "Axis Transform, 2010, section A.5]",
         {205, 170, 140});
@@ -137,7 +137,7 @@ void register_landmark_disks_2(Registry& registry) {
   }
   {
     Layer_spec layer = make_landmark_layer(
-        "landmark-disks-dual", "Dual complex of the grown landmark disks",
+        "landmark-disks-dual", "Landmark disks: dual complex",
         "How the grown landmark disks hang together: the shape that all disks describe, at the scale of the landmarks. "
         "[B. Miklos: The Scale Axis Transform, 2010, section A.5]",
         {150, 50, 10});

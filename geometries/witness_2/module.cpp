@@ -112,7 +112,7 @@ void register_witness_2(Registry& registry) {
   {
     Layer_spec layer;
     layer.id = "landmark-delaunay";
-    layer.label = "Delaunay triangulation of the landmarks";
+    layer.label = "Landmarks: Delaunay";
     layer.stage = stage;
     layer.help = "The Delaunay triangulation of the landmarks; every edge of their witness complex is one of it.";
     layer.style = look({170, 180, 195}, 1);
