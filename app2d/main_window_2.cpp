@@ -54,7 +54,7 @@ Main_window_2::Main_window_2(const std::shared_ptr<const Registry>& registry, Fo
   build_docks();
   build_status_bar();
   selected_ = new QLabel(this);
-  constexpr int before_coordinates = 3;
+  constexpr int before_coordinates = 4;
   statusBar()->insertPermanentWidget(before_coordinates, selected_);
   make_actions();
   make_menus();
@@ -263,6 +263,8 @@ void Main_window_2::escape() {
   if (tool_->cancel()) return;
   if (popover_) {
     popover_->dismiss();
+  } else if (evolution_.stop()) {
+    return;
   } else if (files_->jobs().is_busy()) {
     files_->jobs().cancel();
   } else if (computation_.is_busy() && computing_->isVisible()) {

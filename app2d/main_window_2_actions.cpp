@@ -102,6 +102,7 @@ void Main_window_2::make_edit_actions() {
   make_nudge_actions([this](int right, int up) {
     const double step = 1 / canvas_->view().scale;
     editor_->nudge(right * step, up * step);
+    return !editor_->selection().is_empty();
   });
 }
 
@@ -152,6 +153,7 @@ void Main_window_2::make_view_actions() {
   make_layer_actions();
   make_bundle_actions();
   make_settings_actions();
+  make_evolution_actions();
   make_look_actions();
 
   make_command_actions();
@@ -230,6 +232,7 @@ void Main_window_2::make_menus() {
                           "show-all-layers", "find-layer", "find-setting", "-"});
   add_bundle_menu(view);
   add_look_menus(view);
+  add_evolution_menu();
 
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));

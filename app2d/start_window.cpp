@@ -12,6 +12,7 @@ int start_window(int argc, char** argv, const Command_line& command_line,
   const auto make_window = [&]() -> std::unique_ptr<Program_window> {
     Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
                     command_line.as_listed};
+    startup.evolutions = command_line.evolutions;
     if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
     return std::make_unique<Main_window_2>(registry, formats, startup);
   };

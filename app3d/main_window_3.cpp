@@ -196,6 +196,8 @@ void Main_window_3::escape() {
   }
   if (popover_) {
     popover_->dismiss();
+  } else if (evolution_.stop()) {
+    return;
   } else if (files_->jobs().is_busy()) {
     files_->jobs().cancel();
   } else if (computation_.is_busy() && computing_->isVisible()) {

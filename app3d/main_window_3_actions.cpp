@@ -111,6 +111,7 @@ void Main_window_3::make_menus() {
   actions_->add_to(view, {"-", "toggle-layers", "solo-layers", "show-all-layers", "find-layer", "find-setting", "-"});
   add_bundle_menu(view);
   add_look_menus(view);
+  add_evolution_menu();
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
   actions_->add_to(help, {"palette", "keys", "shortcuts", "whats-this", "-", "about"});

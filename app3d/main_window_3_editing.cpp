@@ -80,11 +80,12 @@ void Main_window_3::make_edit_actions() {
         open_popover(open_transform_popover_3(*editor_, canvas_));
       });
   make_nudge_actions([this](int right, int up) {
-    if (!viewer_) return;
+    if (!viewer_ || editor_->selection().is_empty()) return false;
     const Camera_3 camera = viewer_->view().camera;
     const Camera_3::Axes axes = camera.axes();
     const double step = camera.height_at_target() / std::max(1, viewer_->height());
     editor_->nudge((right * step) * axes.right + (up * step) * axes.up);
+    return true;
   });
 }
 

@@ -79,6 +79,7 @@ void Main_window_3::make_view_actions() {
   make_layer_actions();
   make_bundle_actions();
   make_settings_actions();
+  make_evolution_actions();
   make_look_actions();
 }
 

@@ -13,6 +13,7 @@ int start_window(int argc, char** argv, const Command_line& command_line,
   const auto make_window = [&]() -> std::unique_ptr<Program_window> {
     Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
                     command_line.as_listed};
+    startup.evolutions = command_line.evolutions;
     if (command_line.view_3) startup.seen_3 = Seen_3{*command_line.view_3, command_line.key_frames};
     return std::make_unique<Main_window_3>(registry, formats, startup);
   };

@@ -55,6 +55,7 @@ Program_window::Program_window(QString program, std::shared_ptr<const Registry> 
       formats_(std::make_shared<const Formats>(std::move(formats))),
       document_(std::move(first), std::move(layers_for_inputs)),
       computation_(registry_, document_),
+      evolution_(registry_, document_, computation_),
       program_(std::move(program)) {
   setObjectName(QStringLiteral("main-window"));
   setAcceptDrops(true);
@@ -66,6 +67,8 @@ void Program_window::take_apart() {
   for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
   document_.disconnect();
   computation_.disconnect();
+  evolution_.disconnect();
+  evolution_.evolver().disconnect();
   for (QDockWidget* dock : docks_) delete dock;
   delete takeCentralWidget();
 }
@@ -73,12 +76,12 @@ void Program_window::take_apart() {
 void Program_window::build_center(QWidget* canvas) {
   common_canvas_ = canvas;
   auto* center = new QWidget(this);
-  auto* column = new QVBoxLayout(center);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  center_column_ = new QVBoxLayout(center);
+  center_column_->setContentsMargins(0, 0, 0, 0);
+  center_column_->setSpacing(0);
   messages_ = new Message_bar(center);
-  column->addWidget(messages_);
-  column->addWidget(canvas, 1);
+  center_column_->addWidget(messages_);
+  center_column_->addWidget(canvas, 1);
   setCentralWidget(center);
   notes_ = new Layer_notes(canvas);
   facts_ = make_plate(QStringLiteral("facts"));
@@ -139,16 +142,19 @@ void Program_window::build_panels() {
 void Program_window::build_status_bar() {
   hint_ = new QLabel(tr("? shows keys and mouse"), this);
   coordinates_ = new QLabel(this);
+  evolving_ = new Status_progress(this);
   computing_ = new Status_progress(this);
   working_ = new Status_progress(this);
   coordinates_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0000, -000.0000")));
   coordinates_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   coordinates_->setAccessibleName(tr("Coordinates under the mouse"));
   statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(evolving_);
   statusBar()->addPermanentWidget(working_);
   statusBar()->addPermanentWidget(computing_);
   statusBar()->addPermanentWidget(coordinates_);
-  // A permanent widget is shown by the status bar; these two show themselves when there is something to tell.
+  // A permanent widget is shown by the status bar; these show themselves when there is something to tell.
+  evolving_->hide();
   computing_->hide();
   working_->hide();
 }
@@ -185,7 +191,7 @@ void Program_window::make_undo_actions(const QIcon& undo_icon, const QIcon& redo
           [redo](const QString& text) { redo->setText(text.isEmpty() ? tr("&Redo") : tr("&Redo: %1").arg(text)); });
 }
 
-void Program_window::make_nudge_actions(const std::function<void(int right, int up)>& nudge) {
+void Program_window::make_nudge_actions(const std::function<bool(int right, int up)>& nudge) {
   struct Direction {
     const char* id;
     QString text;
@@ -206,11 +212,15 @@ void Program_window::make_nudge_actions(const std::function<void(int right, int 
     const QString id = QLatin1String(direction.id);
     const int right = direction.right;
     const int up = direction.up;
-    add(id, direction.text, tr("Move the selection by one pixel in the picture"), QKeySequence(direction.key),
-        [nudge, right, up] { nudge(right, up); });
+    const auto move = [this, nudge](int pixels_right, int pixels_up) {
+      if (!nudge(pixels_right, pixels_up)) evolution_.go_by(pixels_right);
+    };
+    const QString else_steps = right != 0 ? tr("; without one, go through the steps of an evolution") : QString();
+    add(id, direction.text, tr("Move the selection by one pixel in the picture%1").arg(else_steps),
+        QKeySequence(direction.key), [move, right, up] { move(right, up); });
     add(id + QLatin1String("-far"), tr("%1 by 10").arg(direction.text),
-        tr("Move the selection by ten pixels in the picture"), QKeySequence(Qt::SHIFT | direction.key),
-        [nudge, right, up] { nudge(far_pixels * right, far_pixels * up); });
+        tr("Move the selection by ten pixels in the picture%1").arg(else_steps),
+        QKeySequence(Qt::SHIFT | direction.key), [move, right, up] { move(far_pixels * right, far_pixels * up); });
   }
 }
 
@@ -291,6 +301,15 @@ void Program_window::connect_common() {
           [this](const QString& layer) { show_layer(layer.toStdString()); });
   connect(&computation_, &Computation::busy_changed, this,
           [this](bool is_busy) { is_busy ? computing_->begin(tr("Computing")) : computing_->end(); });
+  connect(&evolution_.evolver(), &Evolver::busy_changed, this,
+          [this](bool is_busy) { is_busy ? evolving_->begin(tr("Making steps")) : evolving_->end(); });
+  connect(&evolution_.evolver(), &Evolver::progressed, evolving_, &Status_progress::report);
+  connect(evolving_, &Status_progress::cancel_requested, this, [this] {
+    evolution_.pause();
+    evolution_.stop();
+  });
+  connect(&evolution_, &Evolution_control::told, this,
+          [this](const QString& note) { messages_->add(Message_bar::Kind::note, note); });
   connect(&computation_, &Computation::progressed, computing_, &Status_progress::report);
   connect(computing_, &Status_progress::cancel_requested, &computation_, &Computation::cancel);
   connect(&common_files_->jobs(), &Background_jobs::started, working_, &Status_progress::begin);
@@ -299,7 +318,10 @@ void Program_window::connect_common() {
   connect(common_files_, &Files::told, messages_, &Message_bar::add);
   connect(common_files_, &Files::opened, recent_files_, &Recent_files::add);
   connect(common_files_, &Files::title_changed, this, [this] { show_title(); });
-  connect(common_files_, &Files::loaded, this, [this] { files_loaded(); });
+  connect(common_files_, &Files::loaded, this, [this] {
+    files_loaded();
+    if (!first_evolutions_.empty()) evolution_.run(std::exchange(first_evolutions_, {}));
+  });
   connect(recent_files_, &Recent_files::chosen, this,
           [this](const QString& file) { common_files_->open({file}, false); });
   connect(notes_, &Layer_notes::chosen, this, [this](const QString& layer) {
@@ -344,9 +366,12 @@ void Program_window::start(const Startup& startup, const QString& usual_layer) {
   show_scene();
   QStringList paths;
   for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
+  if (!startup.evolutions.empty()) set_evolution_bar_visible(true);
   if (paths.isEmpty()) {
     common_files_->name_example();
+    evolution_.run(startup.evolutions);
   } else {
+    first_evolutions_ = startup.evolutions;
     common_files_->open_first(paths);
   }
 }
@@ -437,12 +462,14 @@ void Program_window::restore() {
     if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
   for (const Background_choice& choice : background_choices)
     if (background == QLatin1String(choice.id)) set_background(choice.background);
+  restore_evolution();
 }
 
 void Program_window::store() {
   Preferences preferences(program_);
   preferences.set_value(QStringLiteral("geometry"), saveGeometry());
   preferences.set_value(QStringLiteral("docks"), saveState());
+  store_evolution();
 }
 
 bool Program_window::may_close() {
@@ -458,6 +485,8 @@ void Program_window::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  evolution_.pause();
+  evolution_.evolver().cancel();
   computation_.cancel();
   common_files_->jobs().cancel();
   store();

@@ -16,6 +16,7 @@
 #include "shell/commands.h"
 #include "shell/computation.h"
 #include "shell/document.h"
+#include "shell/evolution_control.h"
 #include "shell/files.h"
 #include "shell/layer_notes.h"
 #include "shell/message_bar.h"
@@ -31,8 +32,11 @@
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QVBoxLayout;
 
 namespace mesecina {
+
+class Evolution_bar;
 
 /// What a picture of the plane of this size shows; a window of another size shows all of it.
 struct Seen_2 {
@@ -58,6 +62,7 @@ struct Startup {
   /// None: all of the data.
   std::optional<Seen_2> seen = {};
   std::optional<Seen_3> seen_3 = {};
+  std::vector<Evolution_order> evolutions = {};  ///< that the data goes through, one after the other
 };
 
 /// What the document starts with: the settings, layers and looks of `startup`; the inputs are the example's where it
@@ -80,6 +85,7 @@ class Program_window : public QMainWindow {
 
   Document& document() { return document_; }
   Computation& computation() { return computation_; }
+  Evolution_control& evolution() { return evolution_; }
   Actions& actions() { return *actions_; }
   /// Null while it is closed.
   Command_palette* command_palette() const { return palette_; }
@@ -88,8 +94,8 @@ class Program_window : public QMainWindow {
   const Commands& commands() const { return *commands_; }
   /// Files are being read or written.
   bool has_file_jobs() const { return common_files_->jobs().is_busy(); }
-  /// That is so, or something visible is not computed yet.
-  bool is_busy() const { return has_file_jobs() || computation_.is_busy(); }
+  /// That is so, or something visible is not computed yet, or steps are being made.
+  bool is_busy() const { return has_file_jobs() || computation_.is_busy() || evolution_.evolver().is_busy(); }
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
   Window_bundles& bundles() { return *bundles_; }
@@ -110,11 +116,15 @@ class Program_window : public QMainWindow {
   void build_status_bar();
   void begin_actions();
   void make_undo_actions(const QIcon& undo_icon, const QIcon& redo_icon);
-  /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection.
-  void make_nudge_actions(const std::function<void(int right, int up)>& nudge);
+  /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection, and is false when there is none.
+  /// Left and Right go through the steps of an evolution then.
+  void make_nudge_actions(const std::function<bool(int right, int up)>& nudge);
   void make_layer_actions();
   void make_bundle_actions();
   void add_bundle_menu(QMenu* view) const;
+  /// Evolutions, their steps and playing; and the bar below the canvas.
+  void make_evolution_actions();
+  void add_evolution_menu();
   /// To find, reset, save and load settings.
   void make_settings_actions();
   /// Themes, background, full screen.
@@ -157,6 +167,7 @@ class Program_window : public QMainWindow {
   std::shared_ptr<const Formats> formats_;
   Document document_;
   Computation computation_;
+  Evolution_control evolution_;
 
   Message_bar* messages_ = nullptr;
   Actions* actions_ = nullptr;
@@ -169,6 +180,7 @@ class Program_window : public QMainWindow {
   QDockWidget* bundles_dock_ = nullptr;
   QDockWidget* settings_dock_ = nullptr;
   Recent_files* recent_files_ = nullptr;
+  Status_progress* evolving_ = nullptr;
   Status_progress* computing_ = nullptr;
   Status_progress* working_ = nullptr;
   QLabel* hint_ = nullptr;
@@ -185,11 +197,24 @@ class Program_window : public QMainWindow {
   void set_background(Canvas_background background);
   bool may_close();
   void open_palette();
+  void add_evolution_action(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
+                            const QIcon& icon, std::function<void()> run, bool is_for_canvas = false);
+  void make_step_actions();
+  void make_repeat_actions();
+  void make_choice_actions();
+  void show_evolution_state();
+  void set_evolution_bar_visible(bool is_visible);
+  void restore_evolution();
+  void store_evolution() const;
+  void find_evolution_settings();
 
   QString program_;
   Theme_switch themes_;
   Canvas_background background_ = Canvas_background::paper;
   QWidget* common_canvas_ = nullptr;
+  QVBoxLayout* center_column_ = nullptr;
+  Evolution_bar* evolution_bar_ = nullptr;
+  std::vector<Evolution_order> first_evolutions_;  ///< when the files of the start are there
   Files* common_files_ = nullptr;
   QLabel* facts_ = nullptr;
   QPointer<Command_palette> palette_;

@@ -51,7 +51,7 @@ void report_first_picture(Program_window& window) {
   auto* poll = new QTimer(&window);
   constexpr int poll_interval = 10;
   QObject::connect(poll, &QTimer::timeout, &window, [&window, poll, file] {
-    if (window.document().inputs().is_empty() || window.computation().is_busy()) return;
+    if (window.document().inputs().is_empty() || window.is_busy()) return;
     poll->stop();
     window.finish_drawing();
     std::cerr << "first picture after " << seconds_since_start() << " s" << std::endl;

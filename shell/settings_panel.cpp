@@ -137,6 +137,9 @@ void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column, QWid
   row.words = text_of(spec.id + ' ' + spec.label + ' ' + spec.help + ' ' + spec.unit + ' ' +
                       (module ? module->label : std::string()));
   for (const std::string& tag : spec.tags) row.words += QLatin1Char(' ') + text_of(tag);
+  for (const Evolution_spec& evolution : registry_->evolutions())
+    if (std::ranges::count(evolution.settings, spec.id) > 0)
+      row.words += text_of(' ' + evolution.id + ' ' + evolution.label);
   rows_.emplace(spec.id, std::move(row));
 }
 

@@ -27,8 +27,8 @@ class Settings_panel : public QScrollArea {
   void set_settings(const Settings& settings);
   /// How far the slider of a setting goes, though never beyond the bound of the setting. Larger numbers can be typed.
   void set_slider_maximum(const std::string& setting, double maximum);
-  /// Lists only settings with all these words in their label, id, help, unit or module; with `changed_only` only those
-  /// that differ from their defaults.
+  /// Lists only settings with all these words in their label, id, help, unit, module or evolution; with `changed_only`
+  /// only those that differ from their defaults.
   void set_filter(const QString& words, bool changed_only);
   /// The ids of those that are listed, from top to bottom.
   std::vector<std::string> listed() const;
