@@ -14,6 +14,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<Bundle>& bundles, bool as_ids) {
   std::vector<std::string> names;
+  names.reserve(bundles.size());
   for (const Bundle& bundle : bundles) names.push_back(as_ids ? bundle_id(bundle.name) : bundle.name);
   return names;
 }

@@ -94,6 +94,7 @@ std::string suggestion_for(std::string_view name, const std::vector<std::string>
 template <class Specs>
 std::vector<std::string> ids_of(const Specs& specs) {
   std::vector<std::string> ids;
+  ids.reserve(specs.size());
   for (const auto& spec : specs) ids.push_back(spec.id);
   return ids;
 }
