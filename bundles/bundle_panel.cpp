@@ -98,7 +98,7 @@ Bundle_panel::Bundle_panel(QWidget* parent)
   filter_->setAccessibleName(tr("Search bundles"));
   filter_->setClearButtonEnabled(true);
   filter_->hide();
-  more_->setText(QStringLiteral("⋯"));
+  more_->setIcon(painted_icon(paint_more));
   more_->setAutoRaise(true);
   more_->setPopupMode(QToolButton::InstantPopup);
   more_->setToolTip(tr("Save, import, export or reset bundles"));

@@ -119,6 +119,19 @@ void paint_arrow(QPainter& painter, const QRectF& square, const QColor& color, b
   painter.restore();
 }
 
+void paint_more(QPainter& painter, const QRectF& square, const QColor& color) {
+  constexpr double radius = 0.08;
+  constexpr double apart = 0.28;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  for (const int step : {-1, 0, 1})
+    painter.drawEllipse(square.center() + QPointF(step * apart * square.width(), 0), radius * square.width(),
+                        radius * square.width());
+  painter.restore();
+}
+
 void paint_spinner(QPainter& painter, const QRectF& square, const QColor& color, int phase) {
   constexpr int dots = 8;
   const double side = std::min(square.width(), square.height());

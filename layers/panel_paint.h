@@ -29,6 +29,8 @@ QColor warning_color(const QPalette& palette);
 void paint_eye(QPainter& painter, const QRectF& square, const QColor& color, bool is_open);
 /// Triangle that points down when expanded, else to the right.
 void paint_arrow(QPainter& painter, const QRectF& square, const QColor& color, bool is_expanded);
+/// Three dots beside each other: more is behind them.
+void paint_more(QPainter& painter, const QRectF& square, const QColor& color);
 /// Ring of dots of which one leads; `phase` counts steps of an eighth of a turn.
 void paint_spinner(QPainter& painter, const QRectF& square, const QColor& color, int phase);
 void paint_clock(QPainter& painter, const QRectF& square, const QColor& color);

@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "layers/panel_paint.h"
+
 namespace mesecina {
 
 Settings_browser::Settings_browser(Settings_panel* panel, QWidget* parent)
@@ -31,7 +33,7 @@ Settings_browser::Settings_browser(Settings_panel* panel, QWidget* parent)
   changed_only_->setText(QStringLiteral("●"));
   changed_only_->setToolTip(tr("List only settings that were changed"));
   changed_only_->setAccessibleName(tr("Changed settings only"));
-  more_->setText(QStringLiteral("⋯"));
+  more_->setIcon(painted_icon(paint_more));
   more_->setAutoRaise(true);
   more_->setPopupMode(QToolButton::InstantPopup);
   more_->setToolTip(tr("Save, load or reset settings"));
