@@ -15,6 +15,9 @@ class Window_evolution_3 : public Window_3 {
     Window_3::SetUp();
     open_ball();
     trigger("evolve-grow-balls");
+    // Keys of a widget are heard in the active window only.
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
     viewer().setFocus();
   }
   Evolution_control& control() { return window_->evolution(); }
