@@ -8,6 +8,7 @@
 #include "app2d/start_window.h"
 #include "core/batch/batch.h"
 #include "core/batch/command_line.h"
+#include "core/session_formats.h"
 #include "geometries/modules_2.h"
 #include "layers/color_map.h"
 #include "layers/picture_formats.h"
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   const auto registry = mesecina::make_registry_2();
   mesecina::Formats formats = mesecina::planar_formats();
   mesecina::add_picture_formats(formats);
+  mesecina::add_session_formats(formats, registry);
 
   std::vector<std::string> color_maps;
   for (const mesecina::Color_map& map : mesecina::color_maps()) color_maps.push_back(map.name());

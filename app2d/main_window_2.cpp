@@ -112,6 +112,7 @@ void Main_window_2::connect_parts() {
     show_facts_text(hover_->short_facts_text());
   });
   connect(canvas_, &Canvas_2::view_changed, this, [this] {
+    touch_scene();
     hover_->forget();
     // Handles keep their distance on the screen.
     if (!editor_->selection().disks.empty()) show_overlay();
@@ -305,6 +306,20 @@ void Main_window_2::show_first_view() {
   view.scale *= std::min(static_cast<double>(canvas_->width()) / seen_first_->width,
                          static_cast<double>(canvas_->height()) / seen_first_->height);
   canvas_->set_view(view);
+}
+
+void Main_window_2::add_view(Session& session) const {
+  session.view_2 = canvas_->view();
+  session.width = canvas_->width();
+  session.height = canvas_->height();
+}
+
+void Main_window_2::show_view(const Session& session) {
+  if (const auto view = view_for(session, canvas_->width(), canvas_->height())) {
+    canvas_->set_view(*view);
+  } else {
+    canvas_->fit(bounding_box(document_.inputs()));
+  }
 }
 
 void Main_window_2::finish_drawing() { canvas_->grab_picture(); }

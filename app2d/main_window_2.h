@@ -48,6 +48,8 @@ class Main_window_2 : public Program_window {
   QString unsaved_text() const override;
   void files_loaded() override;
   void showEvent(QShowEvent* event) override;
+  void add_view(Session& session) const override;
+  void show_view(const Session& session) override;
 
  private:
   /// What was asked for at the start, or all of the data.

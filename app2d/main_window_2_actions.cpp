@@ -60,6 +60,7 @@ void Main_window_2::make_file_actions() {
       {QKeySequence(Qt::CTRL | Qt::Key_E)}, [this] { export_picture(); });
   add("export-layers", tr("Export &layers…"), tr("Write the visible layers as data: JSON, CSV, OBJ, PLY"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}, [this] { export_layers(); });
+  make_session_actions();
   add("quit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, [this] { close(); });
 }
 
@@ -200,10 +201,11 @@ void Main_window_2::make_menus() {
     if (formats_->reader_for(name.toStdString()))
       examples->addAction(name, this, [this, name] { files_->open_example(name); });
   }
-  actions_->add_to(file, {"-", "save", "save-as"});
+  add_earlier_scenes(file);
+  actions_->add_to(file, {"-", "save", "save-as", "save-session"});
   QMenu* parts = file->addMenu(tr("Save a pa&rt"));
   actions_->add_to(parts, {"save-points", "save-outline", "save-disks"});
-  actions_->add_to(file, {"-", "export-picture", "export-layers", "-", "quit"});
+  actions_->add_to(file, {"-", "export-picture", "pictures-with-scene", "export-layers", "-", "reopen-last-scene", "quit"});
 
   QMenu* edit = menu(tr("&Edit"));
   actions_->add_to(edit, {"undo", "redo", "-", "cut", "copy", "paste", "duplicate", "delete", "-", "select-all",

@@ -6,6 +6,7 @@
 
 #include "core/batch/batch.h"
 #include "core/batch/command_line.h"
+#include "core/session_formats.h"
 #include "geometries/modules_3.h"
 #ifdef MESECINA_WITH_WINDOW
 #include "app3d/start_window.h"
@@ -80,6 +81,7 @@ int run(int argc, char** argv) {
   mesecina::Formats formats = mesecina::spatial_formats();
   std::vector<std::string> color_maps;
   add_pictures(formats, color_maps);
+  mesecina::add_session_formats(formats, registry);
   const auto parsed = mesecina::parse_command_line(argc, argv, program, *registry, formats, color_maps);
   if (const auto* exit = std::get_if<mesecina::Early_exit>(&parsed)) {
     (exit->code == mesecina::exit_success ? std::cout : std::cerr) << exit->text;

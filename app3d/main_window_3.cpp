@@ -73,6 +73,7 @@ void Main_window_3::build_canvas() {
     player_ = std::make_unique<Camera_player_3>(*viewer_);
     viewer_->keep_marks_above(notes_);
     connect(viewer_, &Viewer_3::view_changed, this, &Main_window_3::show_view_state);
+    connect(viewer_, &Viewer_3::view_changed, this, [this] { touch_scene(); });
     connect(player_.get(), &Camera_player_3::changed, this, &Main_window_3::show_view_state);
     connect(viewer_, &Viewer_3::hovered, hover_.get(), &Hover_3::look_at);
     connect(viewer_, &Viewer_3::left, hover_.get(), &Hover_3::forget);
@@ -167,6 +168,23 @@ void Main_window_3::show_first_view() {
   viewer_->set_view(seen_first_->view);
   player_->set_key_frames(seen_first_->key_frames);
   show_view_state();
+}
+
+void Main_window_3::add_view(Session& session) const {
+  if (!viewer_) return;
+  session.view_3 = viewer_->destination();
+  session.camera_path = player_->key_frames();
+}
+
+void Main_window_3::show_view(const Session& session) {
+  if (!viewer_) return;
+  player_->set_key_frames(session.camera_path);
+  if (!session.view_3) {
+    fit();
+    return;
+  }
+  is_view_chosen_ = true;
+  viewer_->set_view(*session.view_3);
 }
 
 View_3 Main_window_3::first_view() const {

@@ -49,6 +49,8 @@ class Main_window_3 : public Program_window {
   void show_title() override;
   QString unsaved_text() const override;
   void files_loaded() override;
+  void add_view(Session& session) const override;
+  void show_view(const Session& session) override;
   void showEvent(QShowEvent* event) override;
 
  private:

@@ -57,6 +57,7 @@ void Main_window_3::make_file_actions() {
       {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)}, [this] { save_view(); });
   add("open-view", tr("Open v&iew…"), tr("See the scene from where a view file says"),
       {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_O)}, [this] { open_view(); });
+  make_session_actions();
   add("quit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)}, [this] { close(); });
 }
 
@@ -101,10 +102,12 @@ void Main_window_3::make_menus() {
   file->setToolTipsVisible(true);
   actions_->add_to(file, {"new", "open", "add-file"});
   file->addMenu(recent_files_);
-  actions_->add_to(file, {"-", "save", "save-as"});
+  add_earlier_scenes(file);
+  actions_->add_to(file, {"-", "save", "save-as", "save-session"});
   QMenu* parts = file->addMenu(tr("Save a pa&rt"));
   actions_->add_to(parts, {"save-mesh", "save-balls", "save-points"});
-  actions_->add_to(file, {"-", "export-picture", "export-layers", "-", "save-view", "open-view", "-", "quit"});
+  actions_->add_to(file, {"-", "export-picture", "pictures-with-scene", "export-layers", "-", "save-view", "open-view", "-",
+                          "reopen-last-scene", "quit"});
   make_editing_menus();
   QMenu* view = menu(tr("&View"));
   add_view_menus(view);

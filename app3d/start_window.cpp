@@ -9,13 +9,9 @@ namespace mesecina {
 int start_window(int argc, char** argv, const Command_line& command_line,
                  const std::shared_ptr<const Registry>& registry, const Formats& formats) {
   const Program_identity identity{QStringLiteral("mesecina3d"), QStringLiteral(MESECINA_VERSION),
-                                  QSurfaceFormat::CompatibilityProfile};
+                                  QSurfaceFormat::CompatibilityProfile, argc == 1};
   const auto make_window = [&]() -> std::unique_ptr<Program_window> {
-    Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
-                    command_line.as_listed};
-    startup.evolutions = command_line.evolutions;
-    if (command_line.view_3) startup.seen_3 = Seen_3{*command_line.view_3, command_line.key_frames};
-    return std::make_unique<Main_window_3>(registry, formats, startup);
+    return std::make_unique<Main_window_3>(registry, formats, startup_of(command_line));
   };
   if (command_line.list) {
     return use_hidden_window(argc, argv, identity, make_window, [&](const Program_window& window) {

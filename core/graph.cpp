@@ -323,13 +323,15 @@ bool Graph::is_current(std::string_view layer_id) {
 
 std::map<std::string, double> Graph::measures() const {
   std::map<std::string, double> result;
-  for (const auto& [id, node] : state_->nodes) result.insert(node.measures.begin(), node.measures.end());
+  for (const auto& [id, node] : state_->nodes)
+    if (node.verified_at == state_->revision) result.insert(node.measures.begin(), node.measures.end());
   return result;
 }
 
 std::map<std::string, std::string> Graph::notes() const {
   std::map<std::string, std::string> result;
-  for (const auto& [id, node] : state_->nodes) result.insert(node.notes.begin(), node.notes.end());
+  for (const auto& [id, node] : state_->nodes)
+    if (node.verified_at == state_->revision) result.insert(node.notes.begin(), node.notes.end());
   return result;
 }
 

@@ -103,9 +103,9 @@ class Graph {
   void clear_stages();
   /// Warnings of all structures that the layer rests on, each once.
   std::vector<std::string> warnings(std::string_view layer_id) const;
-  /// What all structures that have been computed so far have measured.
+  /// What all structures that have been computed and are up to date have measured.
   std::map<std::string, double> measures() const;
-  /// What all structures that have been computed so far have noted.
+  /// What all structures that have been computed and are up to date have noted.
   std::map<std::string, std::string> notes() const;
   /// How often the function of a structure or layer has run; for tests and statistics.
   std::uint64_t computations(std::string_view id) const;

@@ -169,6 +169,7 @@ void Worker::State::serve(Request request) {
   const std::uint64_t ticket = request.ticket;
   Progress progress = progress_of(ticket);
   bool completed = true;
+  const auto begin = Clock::now();
   try {
     graph.set_inputs(std::move(request.inputs));
     graph.set_settings(std::move(request.settings));
@@ -191,6 +192,10 @@ void Worker::State::serve(Request request) {
     }
   } catch (const Cancelled&) {
     completed = false;
+  }
+  if (completed && listener.reported) {
+    Report told{ticket, graph.stages(), graph.measures(), graph.notes(), seconds_since(begin)};
+    deliver([call = listener.reported, told = std::move(told)]() mutable { call(std::move(told)); });
   }
   end(ticket, completed);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,12 +44,22 @@ class Worker {
     std::uint64_t ticket = 0;
     Outcome<Evolution_state> outcome;  ///< without a value this was the last: why there is no such step
   };
+  /// What a request has cost and found out, for statistics.
+  struct Report {
+    std::uint64_t ticket = 0;
+    std::vector<Graph::Stage> stages;        ///< in the order they ended; none when everything was there
+    std::map<std::string, double> measures;  ///< of all that the graph holds
+    std::map<std::string, std::string> notes;
+    double seconds = 0;
+  };
   /// Called on the worker's thread; `deliver` (below) brings them to the owner's.
   struct Listener {
     std::function<void(std::uint64_t ticket, const std::string& layer)> started;
     std::function<void(std::uint64_t ticket, const std::string& stage, double fraction)> progressed;
     std::function<void(Layer_result)> finished_layer;
     std::function<void(Step_result)> finished_step = {};
+    /// Optional; before `finished`, of a request that was completed.
+    std::function<void(Report)> reported = {};
     /// `completed` is false when the request was cancelled or replaced while it ran.
     std::function<void(std::uint64_t ticket, bool completed)> finished;
   };

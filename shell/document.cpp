@@ -181,13 +181,23 @@ void Document::mark_saved(const std::vector<std::string>& input_ids) {
   tell_modified();
 }
 
+void Document::mark_scene_saved() {
+  mark_all_saved();
+  saved_scene_ = state_;
+}
+
 void Document::mark_all_saved() {
   saved_ = state_.inputs;
+  saved_scene_.reset();
   history_.setClean();
   tell_modified();
 }
 
-bool Document::is_modified() const { return !(saved_ == state_.inputs); }
+bool Document::is_modified() const {
+  const bool is_same_look =
+      !saved_scene_ || (saved_scene_->settings == state_.settings && saved_scene_->layers == state_.layers);
+  return !(saved_ == state_.inputs) || !is_same_look;
+}
 
 void Document::apply(const Document_state& state) {
   const Document_change change{!(state.inputs == state_.inputs), !(state.settings == state_.settings),

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,9 @@ class Document : public QObject {
   /// which no file of data holds.
   void mark_saved(const std::vector<std::string>& input_ids);
   void mark_all_saved();
-  /// True when some input is not as it was saved last.
+  /// Says that a file holds everything there is, looks and settings too, and is to hold it from now on.
+  void mark_scene_saved();
+  /// True when some input is not as it was saved last, or anything of a scene that a file holds.
   bool is_modified() const;
 
  Q_SIGNALS:
@@ -98,6 +101,7 @@ class Document : public QObject {
   Document_state state_;
   Layers_for_inputs layers_for_inputs_;
   Inputs saved_;
+  std::optional<Document_state> saved_scene_;  ///< absent where the file holds data only
   bool was_modified_ = false;
   QUndoStack history_;
 };

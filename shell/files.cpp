@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/formats/picture_scene.h"
 #include "shell/preferences.h"
 
 namespace mesecina {
@@ -18,6 +19,10 @@ namespace {
 constexpr QLatin1String folder_key("last-folder");
 
 QString message_of(const std::exception& error) { return QString::fromUtf8(error.what()); }
+
+bool is_session_file(const QString& path) {
+  return QFileInfo(path).suffix().toLower().toStdString() == session_extension;
+}
 
 QString name_of(const QStringList& paths) {
   return paths.size() == 1 ? QFileInfo(paths.front()).fileName() : Files::tr("%1 files").arg(paths.size());
@@ -36,6 +41,7 @@ struct Files::Order {
 struct Files::Loaded {
   Order order;
   Inputs inputs;
+  std::shared_ptr<const Session> session;  ///< of the only file, where that holds one
   QStringList good;
   QStringList errors;
   QStringList warnings;
@@ -90,6 +96,7 @@ void Files::read(const Order& order) {
                 try {
                   const File_contents contents = read_file(*formats, file.toStdString());
                   loaded.inputs = appended(loaded.inputs, contents.inputs);
+                  if (order.paths.size() == 1 && !order.is_added) loaded.session = contents.session;
                   loaded.good << path;
                   for (const std::string& warning : contents.warnings)
                     loaded.warnings << tr("%1: %2").arg(QFileInfo(path).fileName(), QString::fromStdString(warning));
@@ -105,6 +112,10 @@ void Files::take(const Loaded& result) {
   for (const QString& error : result.errors) Q_EMIT told(Message_bar::Kind::error, error);
   for (const QString& warning : result.warnings) Q_EMIT told(Message_bar::Kind::warning, warning);
   if (result.good.isEmpty()) return;
+  if (result.session && scene_.state) {
+    take_session(result);
+    return;
+  }
   const Order& order = result.order;
   const bool is_start = order.is_first && document_.history().count() == 0;
   if (order.is_added) {
@@ -121,6 +132,28 @@ void Files::take(const Loaded& result) {
   if (!order.is_example)
     for (const QString& path : result.good) Q_EMIT opened(path);
   Q_EMIT loaded(order.is_added);
+}
+
+void Files::take_session(const Loaded& result) {
+  const Order& order = result.order;
+  show_session(*result.session, order.step, order.is_first);
+  const QString& path = result.good.front();
+  // A picture shows a scene, but saving goes on in the file of the data.
+  if (is_session_file(path)) {
+    document_.mark_scene_saved();
+    set_current(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
+  }
+  if (!order.is_example) Q_EMIT opened(path);
+}
+
+void Files::show_session(const Session& session, const QString& step, bool is_start) {
+  const bool is_untouched = is_start && document_.history().count() == 0;
+  document_.edit(scene_.state(session), step);
+  if (is_untouched) document_.history().clear();
+  set_current(QString::fromStdString(session.file), QString::fromStdString(session.title));
+  if (!session.is_modified && is_session_file(current_file_)) document_.mark_scene_saved();
+  if (!session.is_modified && !is_session_file(current_file_)) document_.mark_all_saved();
+  Q_EMIT session_opened(session);
 }
 
 std::vector<std::string> Files::parts() const {
@@ -153,6 +186,7 @@ QString Files::filters_for(const std::vector<std::string>& input_ids) const {
 }
 
 bool Files::save() {
+  if (is_session_file(current_file_)) return save_session_to(current_file_);
   if (!current_file_.isEmpty()) {
     const auto ids = parts();
     if (ids.size() == 1 && writer_for(current_file_, ids.front())) return save_to(current_file_);
@@ -166,20 +200,50 @@ bool Files::save_as() {
     Q_EMIT told(Message_bar::Kind::note, tr("There is nothing to save yet."));
     return false;
   }
+  QStringList filters;
   if (ids.size() > 1) {
     QStringList names;
     for (const std::string& id : ids) names << kinds_.part_name(id);
-    Q_EMIT told(Message_bar::Kind::error,
-                tr("Nothing was saved: no kind of file holds the %1 together; save them one by one with File ▸ Save a "
-                   "part")
-                    .arg(names.join(tr(" and "))));
-    return false;
+    Q_EMIT told(Message_bar::Kind::note, tr("No file of data holds the %1 together; a session does, and File ▸ Save a "
+                                            "part saves them one by one")
+                                             .arg(names.join(tr(" and "))));
   }
-  const QString path = choose_for_writing(tr("Save data"), stem(), filters_for(ids));
+  if (scene_.session) filters << session_filter();
+  if (ids.size() == 1 || filters.isEmpty()) filters << filters_for(ids);
+  const QString path = choose_for_writing(tr("Save"), stem(), filters.join(QStringLiteral(";;")));
   return !path.isEmpty() && save_to(path);
 }
 
+QString Files::session_filter() { return tr("Session: data, layers, settings and view (*.mesecina)"); }
+
+bool Files::save_session_as() {
+  const QString path = choose_for_writing(tr("Save session"), stem(), session_filter());
+  return !path.isEmpty() && save_session_to(path);
+}
+
+bool Files::save_session_to(const QString& path) {
+  Session session = scene_.session();
+  // What is in the session's file is named by it.
+  session.title = QFileInfo(path).fileName().toStdString();
+  session.file.clear();
+  for (const std::string& id : without_form(session.inputs))
+    Q_EMIT told(Message_bar::Kind::warning,
+                tr("%1 cannot hold the %2, which are left out").arg(path, kinds_.part_name(id)));
+  try {
+    write_file(path.toStdString(), [&](std::ostream& stream) { stream << to_json(session); });
+  } catch (const std::exception& error) {
+    Q_EMIT told(Message_bar::Kind::error, message_of(error));
+    return false;
+  }
+  remember_folder(path);
+  document_.mark_scene_saved();
+  set_current(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
+  Q_EMIT opened(path);
+  return true;
+}
+
 bool Files::save_to(const QString& path) {
+  if (scene_.session && is_session_file(path)) return save_session_to(path);
   const auto ids = parts();
   const Input_writer* writer = nullptr;
   QStringList lost;
@@ -257,11 +321,22 @@ void Files::export_picture(const QString& path, std::function<void(const Picture
     return;
   }
   remember_folder(path);
+  std::shared_ptr<const Session> session;
+  if (has_scenes_in_pictures_ && scene_.session) session = std::make_shared<const Session>(scene_.session());
   jobs_.run(tr("Writing %1").arg(QFileInfo(path).fileName()),
-            [this, formats = formats_, writer, path, write = std::move(write)]() -> std::function<void()> {
+            [this, formats = formats_, writer, path, write = std::move(write),
+             session = std::move(session)]() -> std::function<void()> {
               try {
                 write(*writer);
-                return [this, path] { Q_EMIT told(Message_bar::Kind::note, tr("Wrote %1").arg(path)); };
+                const std::string scene = session ? to_json(*session) : std::string();
+                const bool is_too_large = scene.size() > most_scene_bytes;
+                if (session && !is_too_large) add_scene_to_picture(path.toStdString(), scene);
+                return [this, path, is_too_large] {
+                  Q_EMIT told(Message_bar::Kind::note,
+                              is_too_large
+                                  ? tr("Wrote %1, without the scene, which is too large; save a session").arg(path)
+                                  : tr("Wrote %1").arg(path));
+                };
               } catch (const std::exception& error) {
                 return [this, text = message_of(error)] { Q_EMIT told(Message_bar::Kind::error, text); };
               }

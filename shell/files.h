@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/formats/format.h"
+#include "core/session.h"
 #include "core/style.h"
 #include "shell/background_jobs.h"
 #include "shell/document.h"
@@ -31,6 +32,13 @@ struct Files_of_program {
   std::function<QString(const std::string& input_id)> part_name;
 };
 
+/// How files of sessions reach a window.
+struct Scene_of_window {
+  /// Everything there is now, for a file.
+  std::function<Session()> session;
+  std::function<Document_state(const Session&)> state;
+};
+
 /// Brings files into the document and out of it. Reading and exporting happen on another thread.
 class Files : public QObject {
   Q_OBJECT
@@ -46,6 +54,11 @@ class Files : public QObject {
   void open_first(const QStringList& paths);
   /// Opens a file that is not the user's: it is not remembered, and saving asks for another name.
   void open_example(const QString& path);
+  /// Without it, sessions can be neither opened nor saved.
+  void set_scene(Scene_of_window scene) { scene_ = std::move(scene); }
+  /// Shows a session that no file of the user's holds, in one step that can be undone; at a start there is nothing
+  /// before it that one could go back to.
+  void show_session(const Session& session, const QString& step, bool is_start);
   void new_document();
   /// Says that the document is the example of a first start.
   void name_example() { set_current({}, tr("Example")); }
@@ -56,12 +69,17 @@ class Files : public QObject {
   bool save_as();
   /// By the extension. False, with a message, when the file cannot hold everything there is or cannot be written.
   bool save_to(const QString& path);
+  /// Everything there is, as a session, into a file that is asked for.
+  bool save_session_as();
+  bool save_session_to(const QString& path);
   /// Only the input of this id.
   bool save_part_as(const std::string& input_id);
   bool save_part_to(const QString& path, const std::string& input_id);
 
   /// `write` paints with the writer of the path's extension, on the other thread.
   void export_picture(const QString& path, std::function<void(const Picture_writer&)> write);
+  /// Whether sessions are put into pictures, so that opening one brings everything back; not where that is too large.
+  void set_scenes_in_pictures(bool is_on) { has_scenes_in_pictures_ = is_on; }
   /// One file per visible layer and format, named as those of --nogui: STEM.LAYER.EXTENSION.
   void export_layers(const QString& folder, const Scene& scene, const std::vector<std::string>& formats,
                      const std::map<std::string, Setting_value>& settings,
@@ -88,6 +106,8 @@ class Files : public QObject {
   void opened(const QString& path);
   /// The inputs were replaced or joined by what files held.
   void loaded(bool is_added);
+  /// Everything was replaced by what a session holds; its view is not shown yet.
+  void session_opened(const mesecina::Session& session);
   void title_changed();
 
  private:
@@ -96,9 +116,11 @@ class Files : public QObject {
   void read(const Order& order);
   void take(const Loaded& result);
   const Input_writer* writer_for(const QString& path, const std::string& input_id) const;
+  static QString session_filter();
   QString filters_for(const std::vector<std::string>& input_ids) const;
   std::vector<std::string> parts() const;
   bool write(const QString& path, const Input_writer& writer);
+  void take_session(const Loaded& result);
   void set_current(const QString& file, const QString& title);
   QString last_folder() const;
   void remember_folder(const QString& path);
@@ -107,6 +129,8 @@ class Files : public QObject {
   std::shared_ptr<const Formats> formats_;
   Files_of_program kinds_;
   QWidget* window_;
+  Scene_of_window scene_;
+  bool has_scenes_in_pictures_ = true;
   QString current_file_;
   QString title_;
   Background_jobs jobs_;

@@ -20,6 +20,7 @@
 
 #include "bundles/bundle_panel.h"
 #include "shell/preferences.h"
+#include "shell/session_state.h"
 #include "shell/setting_values.h"
 
 namespace mesecina {
@@ -79,6 +80,8 @@ void Program_window::build_center(QWidget* canvas) {
   center_column_ = new QVBoxLayout(center);
   center_column_->setContentsMargins(0, 0, 0, 0);
   center_column_->setSpacing(0);
+  recovery_bar_ = new Recovery_bar(center);
+  center_column_->addWidget(recovery_bar_);
   messages_ = new Message_bar(center);
   center_column_->addWidget(messages_);
   center_column_->addWidget(canvas, 1);
@@ -319,9 +322,16 @@ void Program_window::connect_common() {
   connect(common_files_, &Files::opened, recent_files_, &Recent_files::add);
   connect(common_files_, &Files::title_changed, this, [this] { show_title(); });
   connect(common_files_, &Files::loaded, this, [this] {
+    unknown_ = {};
     files_loaded();
     if (!first_evolutions_.empty()) evolution_.run(std::exchange(first_evolutions_, {}));
   });
+  connect(common_files_, &Files::session_opened, this, &Program_window::show_session);
+  connect(common_files_, &Files::title_changed, this, [this] { touch_scene(); });
+  common_files_->set_scene({[this] { return session(); },
+                            [registry = registry_](const Session& opened) { return state_of(opened, *registry); }});
+  connect(recovery_bar_, &Recovery_bar::recovery_requested, this, &Program_window::recover);
+  connect(recovery_bar_, &Recovery_bar::declined, this, &Program_window::keep_for_later);
   connect(recent_files_, &Recent_files::chosen, this,
           [this](const QString& file) { common_files_->open({file}, false); });
   connect(notes_, &Layer_notes::chosen, this, [this](const QString& layer) {
@@ -331,6 +341,32 @@ void Program_window::connect_common() {
   connect(layer_panel_, &Layer_panel::layers_edited, &document_, &Document::edit_layers);
   connect(layer_panel_, &Layer_panel::setting_edited, this, &Program_window::edit_cut);
   connect(settings_panel_, &Settings_panel::edited, &document_, &Document::edit_settings);
+}
+
+Startup startup_of(const Command_line& command_line) {
+  Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
+                  command_line.as_listed};
+  startup.evolutions = command_line.evolutions;
+  const bool brings_data =
+      command_line.session && command_line.files == std::vector{command_line.session_file.value_or("")};
+  if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
+  if (command_line.view_3) startup.seen_3 = Seen_3{*command_line.view_3, command_line.key_frames};
+  if (!brings_data) return startup;
+  Session session = *command_line.session;
+  session.view_2 = command_line.view;
+  session.width = command_line.width;
+  session.height = command_line.height;
+  session.view_3 = command_line.view_3;
+  session.camera_path = command_line.key_frames;
+  session.settings = command_line.settings;
+  for (auto& [id, style] : session.layers) {
+    if (const auto changed = command_line.styles.find(id); changed != command_line.styles.end())
+      style = changed->second;
+    style.visible = std::ranges::count(command_line.layers, id) > 0;
+  }
+  startup.files.clear();
+  startup.session = std::make_shared<const Session>(std::move(session));
+  return startup;
 }
 
 Document_state first_state(const Registry& registry, const Startup& startup, const Inputs& example,
@@ -367,7 +403,14 @@ void Program_window::start(const Startup& startup, const QString& usual_layer) {
   QStringList paths;
   for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
   if (!startup.evolutions.empty()) set_evolution_bar_visible(true);
-  if (paths.isEmpty()) {
+  if (startup.session) {
+    // When the canvas has its size, which the view goes by.
+    const auto show = [this, session = startup.session, evolutions = startup.evolutions] {
+      common_files_->show_session(*session, tr("Open"), true);
+      evolution_.run(evolutions);
+    };
+    QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
+  } else if (paths.isEmpty()) {
     common_files_->name_example();
     evolution_.run(startup.evolutions);
   } else {
@@ -410,6 +453,7 @@ void Program_window::show_document(const Document_change& change) {
     settings_panel_->set_settings(document_.settings());
   }
   show_title();
+  touch_scene();
 }
 
 void Program_window::edit_cut(const QString& setting, double value, const QString& merge) {
@@ -473,6 +517,8 @@ void Program_window::store() {
 }
 
 bool Program_window::may_close() {
+  // What is kept comes back at the next start, or from the menu: there is nothing to ask.
+  if (autosave_ && !is_autosave_broken_) return true;
   if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
   const auto answer = QMessageBox::question(this, tr("Save changes?"), unsaved_text(),
                                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
@@ -489,6 +535,7 @@ void Program_window::closeEvent(QCloseEvent* event) {
   evolution_.evolver().cancel();
   computation_.cancel();
   common_files_->jobs().cancel();
+  end_keeping();
   store();
   event->accept();
 }

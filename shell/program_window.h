@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "core/batch/command_line.h"
 #include "layers/layer_panel.h"
 #include "shell/actions.h"
+#include "shell/autosave.h"
 #include "shell/command_palette.h"
 #include "shell/commands.h"
 #include "shell/computation.h"
@@ -22,6 +24,7 @@
 #include "shell/message_bar.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
+#include "shell/recovery_bar.h"
 #include "shell/settings_browser.h"
 #include "shell/settings_panel.h"
 #include "shell/shortcut_editor.h"
@@ -63,7 +66,11 @@ struct Startup {
   std::optional<Seen_2> seen = {};
   std::optional<Seen_3> seen_3 = {};
   std::vector<Evolution_order> evolutions = {};  ///< that the data goes through, one after the other
+  std::shared_ptr<const Session> session = {};  ///< shown in place of the example; null for none
 };
+
+/// What a command line asks for: its session with what else it says, where the session brings the data.
+Startup startup_of(const Command_line& command_line);
 
 /// What the document starts with: the settings, layers and looks of `startup`; the inputs are the example's where it
 /// names no files. `usual_layers`: those for inputs, where it names none.
@@ -104,6 +111,15 @@ class Program_window : public QMainWindow {
   /// Of the widget that is open over the canvas; null for none.
   Popover* popover() const { return popover_; }
 
+  /// Everything there is now.
+  Session session() const;
+  /// From now on the scene is written into the store soon after every change, and what other windows left there is
+  /// offered. `is_reopening`: the scene that was closed last is shown, unless the user wants none. For programs; once.
+  void keep_scenes(const std::filesystem::path& store, bool is_reopening);
+  /// Null before keep_scenes(), and where the store cannot be written.
+  Autosave* autosave() { return autosave_.get(); }
+  Recovery_bar& recovery_bar() { return *recovery_bar_; }
+
   /// When everything visible is computed: draws it at once and waits until it is drawn.
   virtual void finish_drawing() = 0;
 
@@ -115,6 +131,12 @@ class Program_window : public QMainWindow {
   void build_panels();
   void build_status_bar();
   void begin_actions();
+  /// Saving sessions, pictures with scenes, reopening.
+  void make_session_actions();
+  /// Of scenes that were kept without being saved.
+  void add_earlier_scenes(QMenu* file);
+  /// Something that is part of a scene, but not of the document, has changed.
+  void touch_scene();
   void make_undo_actions(const QIcon& undo_icon, const QIcon& redo_icon);
   /// The arrow keys on the canvas: nudge(right, up) in pixels moves the selection, and is false when there is none.
   /// Left and Right go through the steps of an evolution then.
@@ -157,6 +179,10 @@ class Program_window : public QMainWindow {
   virtual QString unsaved_text() const = 0;
   /// The data was replaced by that of files, or joined by it.
   virtual void files_loaded() = 0;
+  /// Adds what is seen from where.
+  virtual void add_view(Session& session) const = 0;
+  /// Sees it as a session says; all of the data where it does not say.
+  virtual void show_view(const Session& session) = 0;
 
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -207,6 +233,12 @@ class Program_window : public QMainWindow {
   void restore_evolution();
   void store_evolution() const;
   void find_evolution_settings();
+  void end_keeping();
+  void show_session(const Session& session);
+  void show_stored_scene(const QString& folder, const QString& step);
+  void recover(const QString& folder);
+  void keep_for_later(const QString& folder);
+  void fill_earlier_scenes(QMenu* menu);
 
   QString program_;
   Theme_switch themes_;
@@ -220,6 +252,12 @@ class Program_window : public QMainWindow {
   QPointer<Command_palette> palette_;
   QPointer<Shortcut_editor> shortcut_editor_;
   std::vector<QDockWidget*> docks_;
+  Recovery_bar* recovery_bar_ = nullptr;
+  std::optional<Scene_store> store_;
+  std::unique_ptr<Autosave> autosave_;
+  bool is_autosave_broken_ = false;
+  std::filesystem::path reopened_;  ///< the kept scene that this window took up; empty for none
+  Session::Unknown unknown_;        ///< of the session that was opened last
 };
 
 /// Empty when none is visible.

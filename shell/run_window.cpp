@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPixmap>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
@@ -42,8 +43,14 @@ double seconds_since_start() {
          std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+/// Where a program keeps scenes that nobody had to save.
+std::filesystem::path scenes_folder() {
+  return (QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/scenes")).toStdString();
+}
+
 /// With MESECINA_FIRST_PICTURE set, for scripts that measure or document the program: when everything visible is
-/// computed and drawn, says after how long on stderr, saves the window to the file named by the variable unless that is
+/// computed and drawn, says after how long on stderr, saves the window to the file named by the variable unless that
+/// is
 /// "-", and quits.
 void report_first_picture(Program_window& window) {
   const QString file = qEnvironmentVariable("MESECINA_FIRST_PICTURE");
@@ -118,6 +125,8 @@ int run_window(int argc, char** argv, const Program_identity& identity, const Wi
   QApplication application(own_count, argv);
   name_application(identity);
   const std::unique_ptr<Program_window> window = make_window();
+  // Pictures of windows for documents, and scripts, depend on nothing that was before and leave nothing behind.
+  if (!is_set("MESECINA_FIRST_PICTURE") && !order.script) window->keep_scenes(scenes_folder(), identity.is_plain_start);
   report_first_picture(*window);
   if (order.script) play_script(*window, *order.script);
   window->show();

@@ -16,6 +16,7 @@ struct Program_identity {
   QString name;                                                                ///< of the file ("mesecina2d")
   QString version;                                                             ///< "0.1.0"
   QSurfaceFormat::OpenGLContextProfile profile = QSurfaceFormat::CoreProfile;  ///< that the canvas needs
+  bool is_plain_start = false;  ///< nothing was asked for on the command line: the last scene may come back
 };
 
 /// What a window is asked to do besides being there.

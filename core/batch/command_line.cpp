@@ -13,6 +13,7 @@
 #include "core/evolution.h"
 #include "core/formats/film.h"
 #include "core/formats/number.h"
+#include "core/session_formats.h"
 
 namespace mesecina {
 
@@ -263,6 +264,27 @@ View_2 read_view(const View_source& source, int width, int height) {
   return view;
 }
 
+/// What a session says, as if it had been spelled out.
+void take_session(Command_line& result, const std::filesystem::path& file, const Registry& registry) {
+  try {
+    result.session = std::make_shared<const Session>(read_session_file(file, registry));
+  } catch (const File_error& error) {
+    throw Usage_error("--session " + std::string(error.what()));
+  }
+  result.session_file = file;
+  if (result.files.empty()) result.files.push_back(file);
+  result.settings = result.session->settings;
+  for (const auto& [id, style] : result.session->layers) {
+    if (!registry.find_layer(id)) continue;
+    result.styles[id] = style;
+    result.styles[id].visible = true;
+  }
+  if (!result.layers.empty()) return;
+  result.as_listed = true;
+  for (const auto& [id, style] : result.session->layers)
+    if (style.visible && registry.find_layer(id)) result.layers.push_back(id);
+}
+
 }  // namespace
 
 std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* const* argv, const std::string& program,
@@ -290,7 +312,11 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   std::string output = "out";
   std::string list;
   Recording_words recording;
+  std::string session;
   app.add_option("FILE", files, "Points, outlines or pictures to read (--list formats)");
+  app.add_option("--session", session,
+                 "A session, or a picture with one within: its data where no FILE is given, its layers, styles, "
+                 "settings and view; other options come after it and win");
   app.add_flag("--nogui", result.nogui, "Compute and write, open no window; needs no display");
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')
@@ -381,6 +407,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
     const bool has_layers = !result.layers.empty();
+    if (!session.empty()) take_session(result, session, registry);
     if (result.bundle) use_bundle(result, registry, has_layers);
     result.settings = read_settings(assignments, registry, result.settings);
     if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&
@@ -388,8 +415,13 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       result.settings = result.settings.with(evolution_seed_setting.id, static_cast<std::int64_t>(result.seed));
     result.evolutions = read_evolutions(evolutions, registry);
     result.styles = read_styles(result.style_changes, registry, color_maps, result.styles);
-    if (result.as_listed && result.layers.empty()) throw Usage_error("--as-listed needs --layers");
+    if (result.as_listed && result.layers.empty() && !result.session) throw Usage_error("--as-listed needs --layers");
     std::tie(result.width, result.height) = read_size(size);
+    if (result.session && app.count("--view") == 0) {
+      result.view = view_for(*result.session, result.width, result.height);
+      result.view_3 = result.session->view_3;
+      result.key_frames = result.session->camera_path;
+    }
     if (view != "fit") {
       const View_source source = read_view_source(view, registry.dimension());
       if (registry.dimension() == 3) {

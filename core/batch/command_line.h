@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "core/batch/recording.h"
 #include "core/formats/format.h"
 #include "core/registry.h"
+#include "core/session.h"
 #include "core/style.h"
 
 namespace mesecina {
@@ -40,6 +42,8 @@ struct Command_line {
   std::vector<Evolution_order> evolutions;
   std::map<std::string, Style> styles;     ///< by layer: the looks in pictures that were changed from their defaults
   std::vector<std::string> style_changes;  ///< as they were given: LAYER.PROPERTY=VALUE
+  std::optional<std::filesystem::path> session_file;
+  std::shared_ptr<const Session> session;  ///< of that file; what it says is in the other members already
   bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
   std::optional<std::string> bundle;       ///< as it was given
   std::vector<std::string> warnings;       ///< of what was read with it

@@ -20,27 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
-  std::map<std::string, std::uint64_t> counts;
-  if (const auto points = inputs.get(points_input)) counts["points"] = points->size();
-  if (const auto disks = inputs.get(disks_input)) counts["disks"] = disks->size();
-  if (const auto outline = inputs.get(outline_input)) {
-    counts["rings"] = outline->rings.size();
-    std::uint64_t vertices = 0;
-    for (const Ring_2& ring : outline->rings) vertices += ring.size();
-    counts["outline-vertices"] = vertices;
-  }
-  if (const auto image = inputs.get(image_input))
-    counts["pixels"] = static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
-  if (const auto mesh = inputs.get(mesh_input)) {
-    counts["mesh-vertices"] = mesh->vertices.size();
-    counts["triangles"] = mesh->triangles.size();
-  }
-  if (const auto balls = inputs.get(balls_input)) counts["balls"] = balls->size();
-  if (const auto cloud = inputs.get(cloud_input)) counts["points"] = cloud->size();
-  return counts;
-}
-
 std::map<std::string, Setting_value> all_settings(const Registry& registry, const Settings& settings) {
   std::map<std::string, Setting_value> values;
   for (const Setting_spec& spec : registry.settings()) values[spec.id] = registry.value(settings, spec.id);

@@ -2,12 +2,35 @@
 #include "core/batch/statistics.h"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace mesecina {
 
 using Json = nlohmann::ordered_json;
+
+std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
+  std::map<std::string, std::uint64_t> counts;
+  if (const auto points = inputs.get(points_input)) counts["points"] = points->size();
+  if (const auto disks = inputs.get(disks_input)) counts["disks"] = disks->size();
+  if (const auto outline = inputs.get(outline_input)) {
+    counts["rings"] = outline->rings.size();
+    std::uint64_t vertices = 0;
+    for (const Ring_2& ring : outline->rings) vertices += ring.size();
+    counts["outline-vertices"] = vertices;
+  }
+  if (const auto image = inputs.get(image_input))
+    counts["pixels"] = static_cast<std::uint64_t>(image->width) * static_cast<std::uint64_t>(image->height);
+  if (const auto mesh = inputs.get(mesh_input)) {
+    counts["mesh-vertices"] = mesh->vertices.size();
+    counts["triangles"] = mesh->triangles.size();
+  }
+  if (const auto balls = inputs.get(balls_input)) counts["balls"] = balls->size();
+  if (const auto cloud = inputs.get(cloud_input)) counts["points"] = cloud->size();
+  return counts;
+}
 
 std::string layer_statistics(const Primitive_set* primitives, const std::string& reason) {
   Json json;
@@ -59,6 +82,15 @@ std::uint64_t peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::uint64_t present_memory() {
+  // Sizes in pages: of the program, and of what of it is resident.
+  std::ifstream statm("/proc/self/statm");
+  std::uint64_t size = 0;
+  std::uint64_t resident = 0;
+  statm >> size >> resident;
+  return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace mesecina

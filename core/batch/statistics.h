@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/inputs.h"
 #include "core/primitives.h"
 
 namespace mesecina {
@@ -34,11 +35,15 @@ struct Input_statistics {
   std::vector<std::string> warnings;
 };
 
+/// How much there is of each kind of input: "points", "triangles", "pixels", ...
+std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs);
 /// JSON object of counts, Euler characteristic and Betti numbers of a layer, as in the "layers" of a statistics line.
 std::string layer_statistics(const Primitive_set* primitives, const std::string& reason);
 /// One line, ended by a newline.
 std::string to_json_line(const Input_statistics& statistics);
 /// Largest resident memory of this process so far, in bytes.
 std::uint64_t peak_memory();
+/// Resident memory of this process now, in bytes; 0 where the system does not say.
+std::uint64_t present_memory();
 
 }  // namespace mesecina

@@ -26,10 +26,13 @@ class File_error : public std::runtime_error {
   File_error(const std::filesystem::path& file, std::size_t line, const std::string& message);
 };
 
+struct Session;
+
 /// What a file held. `inputs` has only the keys that the file gave.
 struct File_contents {
   Inputs inputs;
   std::vector<std::string> warnings;  ///< one line each, naming place and numbers ("ring 3 is not closed: ...")
+  std::shared_ptr<const Session> session = {};  ///< of a file that says how the inputs are seen; null else
 };
 
 /// Reads files of some extensions. Throws File_error; never returns half a file.

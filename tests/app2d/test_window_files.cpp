@@ -251,7 +251,15 @@ TEST_F(Files, NeverLosesDisksOrPointsSilently) {
   const QString path = write("in.xy", "0 0\n1 1\n");
   drop({path});
   window().editor().add_disk({{5, 5}, 1});
+  // The user is asked for the name of a session, and gives up.
+  bool is_asked = false;
+  QTimer::singleShot(0, &window(), [&is_asked] {
+    QWidget* chooser = QApplication::activeModalWidget();
+    is_asked = chooser != nullptr;
+    if (chooser) chooser->close();
+  });
   trigger("save");
+  EXPECT_TRUE(is_asked);
   EXPECT_EQ(content(path), "0 0\n1 1\n");
   EXPECT_TRUE(document().is_modified());
   ASSERT_EQ(window().messages().lines().size(), 1);

@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QtTest>
 
+#include "core/session_formats.h"
 #include "geometries/modules_2.h"
 #include "layers/picture_formats.h"
 
@@ -14,8 +15,10 @@ namespace mesecina {
 void Window_fixture::open_window(Startup startup) {
   Formats formats = planar_formats();
   add_picture_formats(formats);
+  const auto registry = make_registry_2();
+  add_session_formats(formats, registry);
   window_.reset();
-  window_ = std::make_unique<Main_window_2>(make_registry_2(), std::move(formats), std::move(startup));
+  window_ = std::make_unique<Main_window_2>(registry, std::move(formats), std::move(startup));
   window_->resize(1100, 700);
   window_->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));

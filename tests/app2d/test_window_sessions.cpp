@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <signal.h>
+
+#include <QFile>
+#include <QProcess>
+#include <QPushButton>
+#include <QTimer>
+#include <QtTest>
+#include <iostream>
+
+#include "core/session_formats.h"
+#include "geometries/modules_2.h"
+#include "window_fixture.h"
+
+namespace mesecina {
+namespace {
+
+class Window_sessions : public Window_fixture {
+ protected:
+  void SetUp() override {
+    Window_fixture::SetUp();
+    store_ = folder_.filePath("scenes").toStdString();
+  }
+  void open(const QString& path) {
+    window().files().open({path}, false);
+    EXPECT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  }
+  /// Everything that is not as it was at the start.
+  void change_everything() {
+    document().edit_inputs(Inputs()
+                               .with(points_input, std::vector<Point_2>{{0.1, 1.0 / 3}, {4, 5}, {7, -1e-300}})
+                               .with(disks_input, std::vector<Disk_2>{{{1, 2}, 0.1}}),
+                           "points");
+    document().edit_settings(document().settings().with("scale", 1.7), "scale");
+    Layer_list layers = document().layers();
+    std::swap(layers.front(), layers.back());
+    find_entry(layers, "delaunay")->style.visible = true;
+    find_entry(layers, "delaunay")->style.color = {1, 2, 3};
+    document().edit_layers(layers, "layers");
+    canvas().set_view({{3, 4}, 55});
+  }
+  void expect_everything(const Document_state& state, const View_2& view) {
+    EXPECT_TRUE(same_data(document().inputs(), state.inputs));
+    EXPECT_TRUE(document().settings() == state.settings);
+    EXPECT_TRUE(document().layers() == state.layers);
+    EXPECT_EQ(canvas().view().center, view.center);
+    EXPECT_NEAR(canvas().view().scale, view.scale, 1e-9 * view.scale);
+  }
+  /// Ends the window without closing it, as a crash does, and opens another.
+  void crash() { open_window(); }
+  void keep(bool is_reopening = false) {
+    window().keep_scenes(store_, is_reopening);
+    ASSERT_NE(window().autosave(), nullptr);
+    wait_until([&] { return !window().files().jobs().is_busy(); });
+  }
+  void wait_written() {
+    QSignalSpy spy(window().autosave(), &Autosave::written);
+    EXPECT_TRUE(spy.wait(5000));
+  }
+  std::size_t kept() const { return Scene_store(store_).kept().size(); }
+
+  std::filesystem::path store_;
+};
+
+TEST_F(Window_sessions, ASavedSessionBringsEverythingBack) {
+  change_everything();
+  const Document_state state = document().state();
+  const View_2 view = canvas().view();
+  const QString path = folder_.filePath("all.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_TRUE(window().windowTitle().startsWith("all.mesecina[*]"));
+  // A look is part of it.
+  document().edit_settings({}, "other");
+  EXPECT_TRUE(document().is_modified());
+  trigger("undo");
+  EXPECT_FALSE(document().is_modified());
+
+  open_window();
+  const Document_state before = document().state();
+  open(path);
+  expect_everything(state, view);
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_TRUE(window().messages().lines().isEmpty());
+  trigger("undo");
+  EXPECT_TRUE(same_data(document().inputs(), before.inputs));
+  EXPECT_TRUE(document().settings() == before.settings);
+  EXPECT_TRUE(document().layers() == before.layers);
+  EXPECT_FALSE(window().actions()["undo"]->isEnabled());
+}
+
+TEST_F(Window_sessions, SavingGoesOnInTheFileOfTheSession) {
+  change_everything();
+  const QString path = folder_.filePath("all.mesecina");
+  ASSERT_TRUE(window().files().save_to(path));
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{9, 9}}), "one");
+  trigger("save");
+  const Session session = read_session_file(path.toStdString(), *make_registry_2());
+  EXPECT_EQ(session.inputs.get(points_input)->size(), 1u);
+  EXPECT_EQ(std::get<double>(*session.settings.find("scale")), 1.7);
+}
+
+TEST_F(Window_sessions, ABadSessionChangesNothingAndSaysWhere) {
+  change_everything();
+  const Document_state state = document().state();
+  const View_2 view = canvas().view();
+  const QString path = folder_.filePath("bad.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  QFile file(path);
+  ASSERT_TRUE(file.resize(file.size() / 2));
+  open(path);
+  expect_everything(state, view);
+  ASSERT_EQ(window().messages().lines().size(), 1);
+  EXPECT_TRUE(window().messages().lines().front().contains("bad.mesecina"));
+  EXPECT_TRUE(window().messages().lines().front().contains("damaged or cut off"));
+}
+
+TEST_F(Window_sessions, PicturesBringEverythingBackAndOthersAreImages) {
+  change_everything();
+  ASSERT_TRUE(wait_until([&] { return !window().computation().is_busy(); }));
+  const Document_state state = document().state();
+  const View_2 view = canvas().view();
+  for (const char* name : {"scene.png", "scene.svg", "scene.pdf"}) {
+    const QString path = folder_.filePath(name);
+    window().files().export_picture(path, window().computation().scene({255, 255, 255}), view, 300, 200);
+    ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+    open_window();
+    open(path);
+    expect_everything(state, view);
+    EXPECT_TRUE(window().messages().lines().isEmpty()) << window().messages().lines().join("\n").toStdString();
+  }
+  window().files().set_scenes_in_pictures(false);
+  const QString plain = folder_.filePath("plain.png");
+  window().files().export_picture(plain, window().computation().scene({255, 255, 255}), view, 300, 200);
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  open(plain);
+  EXPECT_NE(document().inputs().get(image_input), nullptr);
+}
+
+TEST_F(Window_sessions, WhatACrashLeavesIsOfferedAndShown) {
+  keep();
+  wait_written();
+  change_everything();
+  const Document_state state = document().state();
+  const View_2 view = canvas().view();
+  wait_written();
+  EXPECT_LT(Autosave::delay.count(), 1000);
+  crash();
+  keep();
+  EXPECT_EQ(window().recovery_bar().offers(), 1u);
+  EXPECT_TRUE(window().recovery_bar().isVisible());
+  EXPECT_FALSE(same_data(document().inputs(), state.inputs));
+  window().recovery_bar().findChild<QPushButton*>("recover")->click();
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  expect_everything(state, view);
+  EXPECT_TRUE(document().is_modified());
+  EXPECT_FALSE(window().recovery_bar().isVisible());
+  EXPECT_EQ(kept(), 1u);
+  trigger("undo");
+  EXPECT_FALSE(same_data(document().inputs(), state.inputs));
+}
+
+TEST_F(Window_sessions, DecliningKeepsAndSeveralAreOffered) {
+  for (int i = 0; i < 2; ++i) {
+    keep();
+    document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{double(i), 9}}), "one");
+    wait_written();
+    crash();
+  }
+  keep();
+  EXPECT_EQ(window().recovery_bar().offers(), 2u);
+  for (QPushButton* button : window().recovery_bar().findChildren<QPushButton*>("decline")) button->click();
+  EXPECT_EQ(window().recovery_bar().offers(), 0u);
+  EXPECT_EQ(kept(), 2u);
+  EXPECT_TRUE(Scene_store(store_).crashed().empty());
+}
+
+TEST_F(Window_sessions, ClosingAsksNothingAndTheNextStartGoesOn) {
+  qunsetenv("MESECINA_NO_PROMPT");
+  keep(true);
+  change_everything();
+  const Document_state state = document().state();
+  const View_2 view = canvas().view();
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(kept(), 1u);
+  open_window();
+  keep(true);
+  expect_everything(state, view);
+  EXPECT_TRUE(document().is_modified());
+  EXPECT_FALSE(window().actions()["undo"]->isEnabled());
+  // What was taken up is kept once.
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(kept(), 1u);
+  // With a file on the command line it stays for later.
+  open_window();
+  keep(false);
+  EXPECT_FALSE(same_data(document().inputs(), state.inputs));
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(kept(), 2u);
+  qputenv("MESECINA_NO_PROMPT", "1");
+}
+
+TEST_F(Window_sessions, WhoWantsNoReopeningLosesNothingUnsaved) {
+  window().actions()["reopen-last-scene"]->setChecked(false);
+  keep(true);
+  window().close();
+  EXPECT_EQ(kept(), 0u);
+  open_window();
+  EXPECT_FALSE(window().actions()["reopen-last-scene"]->isChecked());
+  keep(true);
+  change_everything();
+  window().close();
+  EXPECT_EQ(kept(), 1u);
+  window().actions()["reopen-last-scene"]->setChecked(true);
+}
+
+/// Where a process that is going to be killed keeps its scenes.
+constexpr const char* victim_store = "MESECINA_TEST_STORE";
+
+/// Not for itself: a process that edits every few milliseconds, and says what it has done, until it is killed.
+TEST_F(Window_sessions, DISABLED_EditsUntilKilled) {
+  store_ = qgetenv(victim_store).toStdString();
+  keep();
+  QElapsedTimer time;
+  time.start();
+  QTimer timer;
+  double edits = 0;
+  QObject::connect(&timer, &QTimer::timeout, [&] {
+    document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{++edits, 0}, {0, 1}}), "edit");
+    std::cout << "edit " << edits << ' ' << time.elapsed() << std::endl;
+  });
+  timer.start(20);
+  QTest::qWait(60000);
+}
+
+TEST_F(Window_sessions, KilledInTheMiddleOfAnEditNothingButTheLastSecondIsLost) {
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(victim_store, QString::fromStdString(store_.string()));
+  process.setProcessEnvironment(environment);
+  process.start(QCoreApplication::applicationFilePath(),
+                {"--gtest_also_run_disabled_tests", "--gtest_filter=Window_sessions.DISABLED_EditsUntilKilled"});
+  QByteArray told;
+  constexpr int enough = 120;
+  while (told.count("edit ") < enough && process.waitForReadyRead(20000)) told += process.readAllStandardOutput();
+  ::kill(static_cast<pid_t>(process.processId()), SIGKILL);
+  process.waitForFinished();
+  told += process.readAllStandardOutput();
+  double last_time = 0;
+  double oldest_allowed = 0;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const QByteArray& line : told.split('\n')) {
+      const auto words = line.split(' ');
+      if (words.size() != 3 || words[0] != "edit") continue;
+      const double time = words[2].toDouble();
+      if (pass == 0) last_time = time;
+      if (pass == 1 && time <= last_time - 1000) oldest_allowed = words[1].toDouble();
+    }
+  }
+  ASSERT_GT(oldest_allowed, 0);
+  keep();
+  ASSERT_EQ(window().recovery_bar().offers(), 1u);
+  window().recovery_bar().findChild<QPushButton*>("recover")->click();
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  ASSERT_EQ(points().size(), 2u);
+  EXPECT_GE(points()[0].x, oldest_allowed);
+}
+
+TEST_F(Window_sessions, EvolutionStepsComeBack) {
+  keep();
+  Document_state state = document().state();
+  auto track = std::make_shared<Evolution_track>();
+  track->places = {{state.inputs, {}, "", 0},
+                   {state.inputs.with(points_input, std::vector<Point_2>{{1, 2}, {3, 4}}), {}, "noise", 1}};
+  state.track = track;
+  state.position = 1;
+  state.inputs = track->places[1].inputs;
+  document().edit(state, "step");
+  wait_written();
+  crash();
+  keep();
+  window().recovery_bar().findChild<QPushButton*>("recover")->click();
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  ASSERT_NE(document().state().track, nullptr);
+  EXPECT_EQ(document().state().track->places.size(), 2u);
+  EXPECT_EQ(document().state().position, 1u);
+  EXPECT_TRUE(document().state().track->places[1].inputs == document().inputs());
+}
+
+}  // namespace
+}  // namespace mesecina
