@@ -35,7 +35,7 @@ struct Worker::State {
   void run(const std::stop_token& stop);
   void watch(const std::stop_token& stop);
   void serve(Request request);
-  void serve(Steps_request request);
+  void serve(const Steps_request& request);
   Progress progress_of(std::uint64_t ticket);
   void end(std::uint64_t ticket, bool completed);
   void answer(Question question);
@@ -200,7 +200,7 @@ void Worker::State::serve(Request request) {
   end(ticket, completed);
 }
 
-void Worker::State::serve(Steps_request request) {
+void Worker::State::serve(const Steps_request& request) {
   const std::uint64_t ticket = request.ticket;
   Progress progress = progress_of(ticket);
   const auto tell = [&](Outcome<Evolution_state> outcome) {
