@@ -2,6 +2,7 @@
 #include "app2d/files_2.h"
 
 #include <QDir>
+#include <QFile>
 #include <utility>
 
 #include "app2d/edits_2.h"
@@ -32,6 +33,11 @@ QStringList Files_2::examples() {
 }
 
 void Files_2::open_example(const QString& name) { Files::open_example(QStringLiteral(":/examples/") + name); }
+
+void Files_2::write_example(const QString& name, const QString& folder) {
+  load_examples();
+  QFile::copy(QStringLiteral(":/examples/") + name, QDir(folder).filePath(name));
+}
 
 void Files_2::export_picture(const QString& path, Scene scene, const View_2& view, int width, int height) {
   Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](

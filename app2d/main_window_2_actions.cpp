@@ -238,7 +238,7 @@ void Main_window_2::make_menus() {
 
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
-  actions_->add_to(help, {"palette", "keys", "shortcuts", "whats-this", "-", "about"});
+  actions_->add_to(help, {"manual", "palette", "keys", "shortcuts", "whats-this", "-", "about"});
 }
 
 void Main_window_2::make_tool_bar() {

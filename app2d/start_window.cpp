@@ -18,6 +18,10 @@ int start_window(int argc, char** argv, const Command_line& command_line,
       return list_commands(window, command_line.list_as_json);
     });
   }
+  if (command_line.manual) {
+    return write_manual_folder(argc, argv, identity, registry, formats, *command_line.manual, make_window,
+                               Files_2::write_example);
+  }
   return run_window(argc, argv, identity, {command_line.script}, make_window);
 }
 

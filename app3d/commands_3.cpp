@@ -68,6 +68,16 @@ void Main_window_3::make_insert_commands() {
        [this](const Arguments& arguments) {
          editor_->add_ball({{arguments.number(0), arguments.number(1), arguments.number(2)}, arguments.number(3)});
        }});
+  commands_->add(
+      {QStringLiteral("open-example"),
+       tr("Open example"),
+       tr("Replaces the data by that of an example"),
+       tr("File"),
+       {{QStringLiteral("NAME"), tr("name of an example"), Kind::text, Count::one, [] { return Files_3::examples(); }}},
+       [this](const Arguments& arguments) {
+         document_.edit_inputs(Files_3::example(arguments.word(0)), tr("Open the example %1").arg(arguments.word(0)));
+         fit();
+       }});
   for (const Generator_3& generator : generators_3()) {
     const QString id = QStringLiteral("insert-") + QString::fromStdString(generator.id);
     const Actions::Entry* action = actions_->find(id);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app3d/files_3.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <utility>
 
+#include "app3d/example_3.h"
 #include "core/input_elements.h"
 
 namespace mesecina {
@@ -34,6 +37,25 @@ Inputs appended_3(const Inputs& inputs, const Inputs& more) {
 
 Files_3::Files_3(Document& document, std::shared_ptr<const Formats> formats, QWidget* window)
     : Files(document, std::move(formats), {QStringLiteral("mesecina3d"), 3, appended_3, part_name}, window) {}
+
+QStringList Files_3::examples() { return {QStringLiteral("points.xyz"), QStringLiteral("ring.off")}; }
+
+Inputs Files_3::example(const QString& name) {
+  constexpr int segments = 96;
+  Triangle_mesh_3 ring = twisted_ring(segments);
+  if (name == QLatin1String("ring.off")) return Inputs().with(mesh_input, std::move(ring));
+  return Inputs().with(cloud_input, std::move(ring.vertices));
+}
+
+void Files_3::write_example(const Formats& formats, const QString& name, const QString& folder) {
+  const Inputs inputs = example(name);
+  const std::string extension = QFileInfo(name).suffix().toStdString();
+  for (const Input_writer& writer : formats.input_writers) {
+    if (writer.extension != extension || !inputs.identity(writer.input_id)) continue;
+    write_file(QDir(folder).filePath(name).toStdString(), [&](std::ostream& out) { writer.write(out, inputs); });
+    return;
+  }
+}
 
 void Files_3::export_picture(const QString& path, Scene scene, const View_3& view, int width, int height) {
   Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](

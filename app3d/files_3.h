@@ -13,6 +13,12 @@ class Files_3 : public Files {
   /// `window` is the parent of the file choosers.
   Files_3(Document& document, std::shared_ptr<const Formats> formats, QWidget* window);
 
+  /// Names of built-in data, as of files.
+  static QStringList examples();
+  /// One of examples().
+  static Inputs example(const QString& name);
+  /// Into a folder, under its name. Throws File_error.
+  static void write_example(const Formats& formats, const QString& name, const QString& folder);
   void export_picture(const QString& path, Scene scene, const View_3& view, int width, int height);
 };
 

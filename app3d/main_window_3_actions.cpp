@@ -117,7 +117,7 @@ void Main_window_3::make_menus() {
   add_evolution_menu();
   // Alt+H shows all layers.
   QMenu* help = menu(tr("Hel&p"));
-  actions_->add_to(help, {"palette", "keys", "shortcuts", "whats-this", "-", "about"});
+  actions_->add_to(help, {"manual", "palette", "keys", "shortcuts", "whats-this", "-", "about"});
 }
 
 void Main_window_3::export_picture() {

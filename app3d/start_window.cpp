@@ -18,6 +18,11 @@ int start_window(int argc, char** argv, const Command_line& command_line,
       return list_commands(window, command_line.list_as_json);
     });
   }
+  if (command_line.manual) {
+    return write_manual_folder(
+        argc, argv, identity, registry, formats, *command_line.manual, make_window,
+        [&](const QString& name, const QString& folder) { Files_3::write_example(formats, name, folder); });
+  }
   return run_window(argc, argv, identity, {command_line.script}, make_window);
 }
 

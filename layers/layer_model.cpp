@@ -165,6 +165,7 @@ QVariant Layer_model::stage_data(const Shown_stage& stage, int role) const {
       return stage.is_interleaved;
     case Qt::AccessibleTextRole:
       return tr("Stage %1, %2 of %3 layers visible").arg(name).arg(visible).arg(all);
+    case Qt::WhatsThisRole:
     case Qt::ToolTipRole: {
       const QString text = tr("%1: %2 of %3 layers visible").arg(name).arg(visible).arg(all);
       if (!stage.is_interleaved) return text;
@@ -184,6 +185,7 @@ QVariant Layer_model::layer_data(const Layer_entry& entry, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return QString::fromStdString(spec.label);
+    case Qt::WhatsThisRole:
     case Qt::ToolTipRole:
       return tool_tip(spec);
     case Qt::CheckStateRole:

@@ -119,6 +119,8 @@ QDockWidget* Program_window::add_dock(const QString& name, const QString& title,
                                       Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
+  dock->setWhatsThis(
+      tr("The panel “%1”. Drag its title to put it elsewhere; View ▸ Panels shows and hides it.").arg(title));
   dock->setWidget(widget);
   addDockWidget(area, dock);
   docks_.push_back(dock);

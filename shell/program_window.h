@@ -21,6 +21,7 @@
 #include "shell/evolution_control.h"
 #include "shell/files.h"
 #include "shell/layer_notes.h"
+#include "shell/manual_window.h"
 #include "shell/message_bar.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
@@ -97,6 +98,7 @@ class Program_window : public QMainWindow {
   /// Null while it is closed.
   Command_palette* command_palette() const { return palette_; }
   Shortcut_editor* shortcut_editor() const { return shortcut_editor_; }
+  Manual_window* manual() const { return manual_; }
   /// Everything that a line of text can do here.
   const Commands& commands() const { return *commands_; }
   /// Files are being read or written.
@@ -233,6 +235,8 @@ class Program_window : public QMainWindow {
   void restore_evolution();
   void store_evolution() const;
   void find_evolution_settings();
+  void open_manual();
+  void show_figure(const Manual_figure& figure);
   void end_keeping();
   void show_session(const Session& session);
   void show_stored_scene(const QString& folder, const QString& step);
@@ -251,6 +255,7 @@ class Program_window : public QMainWindow {
   QLabel* facts_ = nullptr;
   QPointer<Command_palette> palette_;
   QPointer<Shortcut_editor> shortcut_editor_;
+  QPointer<Manual_window> manual_;
   std::vector<QDockWidget*> docks_;
   Recovery_bar* recovery_bar_ = nullptr;
   std::optional<Scene_store> store_;

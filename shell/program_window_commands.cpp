@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
 #include <QDockWidget>
 #include <QWhatsThis>
 #include <algorithm>
 #include <utility>
 
 #include "shell/program_window.h"
+#include "shell/script_runner.h"
+#include "shell/whats_this.h"
 #include "shell/window_commands.h"
 
 namespace mesecina {
@@ -15,10 +18,13 @@ void Program_window::make_commands() {
 }
 
 void Program_window::make_command_actions() {
+  qApp->installEventFilter(new Whats_this_from_tips(this));
   const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
                        std::function<void()> run) {
     actions_->add(tr("Help"), {QLatin1String(id), text, tip, std::move(keys)}, std::move(run));
   };
+  add("manual", tr("&Manual"), tr("What everything is, and how to use it"), {QKeySequence(Qt::Key_F1)},
+      [this] { open_manual(); });
   add("palette", tr("&Find a command…"), tr("Do anything by typing some letters of it"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)}, [this] { open_palette(); });
   add("shortcuts", tr("Keyboard &shortcuts…"), tr("See and change the keys of every action"),
@@ -47,6 +53,25 @@ void Program_window::open_palette() {
       commands_source(*commands_, [this](const QString& error) { messages_->add(Message_bar::Kind::error, error); }));
   palette_ = new Command_palette(program_, std::move(sources), this);
   palette_->open();
+}
+
+void Program_window::open_manual() {
+  if (!manual_) {
+    manual_ = new Manual_window(Manual({program_, *registry_, *formats_, commands_.get()}), this);
+    connect(manual_, &Manual_window::figure_requested, this, &Program_window::show_figure);
+  }
+  manual_->show();
+  manual_->raise();
+  manual_->activateWindow();
+}
+
+void Program_window::show_figure(const Manual_figure& figure) {
+  auto* runner = new Script_runner(*this, tr("figure %1").arg(figure.name), figure_script(figure));
+  connect(runner, &Script_runner::finished, this, [this, runner](const QString& error) {
+    if (!error.isEmpty()) messages_->add(Message_bar::Kind::error, error);
+    runner->deleteLater();
+  });
+  runner->start();
 }
 
 }  // namespace mesecina

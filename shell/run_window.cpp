@@ -18,6 +18,7 @@
 #include <string>
 
 #include "core/batch/command_line.h"
+#include "shell/manual.h"
 #include "shell/program_window.h"
 #include "shell/script_runner.h"
 
@@ -146,6 +147,24 @@ int use_hidden_window(int argc, char** argv, const Program_identity& identity,
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, preferences.path());
   const std::unique_ptr<Program_window> window = make_window();
   return use(*window);
+}
+
+int write_manual_folder(int argc, char** argv, const Program_identity& identity,
+                        const std::shared_ptr<const Registry>& registry, const Formats& formats,
+                        const std::filesystem::path& folder,
+                        const std::function<std::unique_ptr<Program_window>()>& make_window,
+                        const std::function<void(const QString& name, const QString& folder)>& write_example) {
+  bool is_complete = true;
+  const auto make_pictures_first = [&] {
+    // Windows have threads, and what computes pictures must not be a copy of a process that has.
+    is_complete = make_manual_pictures({identity.name, *registry, formats, nullptr}, registry, folder / "pictures",
+                                       write_example);
+    return make_window();
+  };
+  return use_hidden_window(argc, argv, identity, make_pictures_first, [&](const Program_window& window) {
+    write_manual(Manual({identity.name, *registry, formats, &window.commands()}), folder);
+    return is_complete ? exit_success : exit_some_failed;
+  });
 }
 
 int list_commands(const Program_window& window, bool as_json) {

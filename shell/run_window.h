@@ -3,14 +3,18 @@
 
 #include <QString>
 #include <QSurfaceFormat>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "core/formats/format.h"
+
 namespace mesecina {
 
 class Program_window;
+class Registry;
 
 struct Program_identity {
   QString name;                                                                ///< of the file ("mesecina2d")
@@ -37,6 +41,14 @@ int run_window(int argc, char** argv, const Program_identity& identity, const Wi
 int use_hidden_window(int argc, char** argv, const Program_identity& identity,
                       const std::function<std::unique_ptr<Program_window>()>& make_window,
                       const std::function<int(Program_window&)>& use);
+
+/// The manual of a program, with pictures, into a folder, without a display. `write_example` as for
+/// make_manual_pictures. Returns exit_success, or exit_some_failed when pictures are missing.
+int write_manual_folder(int argc, char** argv, const Program_identity& identity,
+                        const std::shared_ptr<const Registry>& registry, const Formats& formats,
+                        const std::filesystem::path& folder,
+                        const std::function<std::unique_ptr<Program_window>()>& make_window,
+                        const std::function<void(const QString& name, const QString& folder)>& write_example);
 
 /// Prints what the window can do, as --list commands says. Returns exit_success.
 int list_commands(const Program_window& window, bool as_json);

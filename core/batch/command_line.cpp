@@ -377,6 +377,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_flag("--json", result.list_as_json, "With --list: as JSON");
   app.add_option("--script", result.script,
                  "Carry out commands in the window, one a line; -: from the standard input (--list commands)");
+  app.add_option("--manual", result.manual, "Write the manual into this directory, as HTML with pictures");
   app.add_option("--seed", result.seed, "Seed of everything random")->capture_default_str();
   app.add_option("--threads", result.threads,
                  "Threads per input; 0: all cores, shared by the jobs. Results never depend on it")

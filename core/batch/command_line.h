@@ -63,7 +63,8 @@ struct Command_line {
   /// parse_command_line itself.
   std::optional<std::string> list;
   bool list_as_json = false;
-  std::optional<std::string> script;  ///< file of commands for the window; "-": standard input
+  std::optional<std::string> script;            ///< file of commands for the window; "-": standard input
+  std::optional<std::filesystem::path> manual;  ///< folder that the manual is to be written into
   std::uint64_t seed = 0;
   int threads = 0;  ///< 0: as many as there are cores, divided among the jobs
   Log_level log = Log_level::warning;

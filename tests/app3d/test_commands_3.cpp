@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 
 #include "shell/script_runner.h"
+#include "tests/widget_walk.h"
 #include "window_fixture_3.h"
 
 namespace mesecina {
@@ -55,6 +56,20 @@ TEST_F(Commands_3, EveryActionIsACommand) {
   window_->command_palette()->set_query("delta=0.05");
   ASSERT_FALSE(window_->command_palette()->items().empty());
   EXPECT_EQ(window_->command_palette()->items().front().key, "setting/delta");
+}
+
+TEST_F(Commands_3, TheManualIsCompleteAndEveryControlHasATip) {
+  window_->actions()["manual"]->trigger();
+  ASSERT_NE(window_->manual(), nullptr);
+  const Manual& manual = window_->manual()->manual();
+  EXPECT_EQ(manual.faults(), QStringList()) << manual.faults().join('\n').toStdString();
+  const auto registry = make_registry_3();
+  for (const Layer_spec& spec : registry->layers())
+    EXPECT_FALSE(manual.target("layer:" + QString::fromStdString(spec.id)).first.isEmpty()) << spec.id;
+  for (const Evolution_spec& spec : registry->evolutions())
+    EXPECT_FALSE(manual.target("evolution:" + QString::fromStdString(spec.id)).first.isEmpty()) << spec.id;
+  window_->actions()["shortcuts"]->trigger();
+  EXPECT_EQ(faults_of_controls(*window_), QStringList()) << faults_of_controls(*window_).join('\n').toStdString();
 }
 
 }  // namespace

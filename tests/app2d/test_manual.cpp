@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QWhatsThis>
+#include <QtTest>
+#include <algorithm>
+
+#include "geometries/modules_2.h"
+#include "tests/widget_walk.h"
+#include "window_fixture.h"
+
+namespace mesecina {
+namespace {
+
+class Manual_in_window : public Window_fixture {
+ protected:
+  Manual_window& manual() {
+    if (!window().manual()) trigger("manual");
+    return *window().manual();
+  }
+  QString body(const char* id) {
+    for (const Manual_page& page : manual().manual().pages())
+      if (page.id == QLatin1String(id)) return page.body;
+    return {};
+  }
+};
+
+TEST_F(Manual_in_window, NothingIsMissingAndNoLinkIsDead) {
+  const Manual& pages = manual().manual();
+  EXPECT_EQ(pages.faults(), QStringList()) << pages.faults().join('\n').toStdString();
+  const auto registry = make_registry_2();
+  for (const Layer_spec& spec : registry->layers())
+    EXPECT_TRUE(body("layers").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+  for (const Setting_spec& spec : registry->settings())
+    EXPECT_TRUE(body("settings").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+  for (const Evolution_spec& spec : registry->evolutions())
+    EXPECT_TRUE(body("evolutions-list").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+  for (const Command& command : window().commands().list()) {
+    EXPECT_TRUE(body("commands").contains(QStringLiteral("command-%1\"").arg(command.id))) << command.id.toStdString();
+    EXPECT_TRUE(body("commands").contains(command.help.toHtmlEscaped())) << command.id.toStdString();
+  }
+  EXPECT_TRUE(body("options").contains("name=\"option---nogui\""));
+  EXPECT_TRUE(body("formats").contains(".poff"));
+  EXPECT_GE(pages.figures().size(), 6u);
+}
+
+TEST_F(Manual_in_window, EveryTargetOfALinkIsAnAnchorOfItsPage) {
+  const Manual& pages = manual().manual();
+  static const QRegularExpression links(QStringLiteral("href=\"((?!https)[^\"]*)\""));
+  int count = 0;
+  for (const Manual_page& page : pages.pages()) {
+    for (auto it = links.globalMatch(page.body); it.hasNext();) {
+      const QString link = it.next().captured(1);
+      const auto [id, anchor] = pages.target(link);
+      ++count;
+      if (anchor.isEmpty()) continue;
+      EXPECT_TRUE(body(id.toUtf8().constData()).contains(QStringLiteral("<a name=\"%1\"></a>").arg(anchor)))
+          << link.toStdString();
+    }
+  }
+  EXPECT_GT(count, 50);
+  EXPECT_EQ(pages.target("layer:no-such-layer").first, QString());
+}
+
+TEST_F(Manual_in_window, ShowsPagesFollowsLinksAndSearches) {
+  EXPECT_EQ(manual().page(), "first-steps");
+  manual().go_to("layer:medial-axis");
+  EXPECT_EQ(manual().page(), "layers");
+  manual().search("topology-preserving");
+  ASSERT_FALSE(manual().listed().isEmpty());
+  EXPECT_TRUE(manual().listed().front().contains("topology-preserving"));
+  manual().search("xyzzyx");
+  EXPECT_TRUE(manual().listed().isEmpty());
+  manual().search("");
+  EXPECT_EQ(manual().listed().size(), static_cast<qsizetype>(manual().manual().pages().size()));
+}
+
+TEST_F(Manual_in_window, AFigureIsShownInTheWindow) {
+  auto* browser = manual().findChild<QTextBrowser*>();
+  Q_EMIT browser->anchorClicked(QUrl("figure:scale-axis"));
+  ASSERT_TRUE(wait_until([&] { return document().settings().find("scale") != nullptr; }));
+  EXPECT_EQ(std::get<double>(*document().settings().find("scale")), 1.3);
+  EXPECT_TRUE(find_entry(document().layers(), "scale-axis")->style.visible);
+  EXPECT_FALSE(find_entry(document().layers(), "voronoi")->style.visible);
+  EXPECT_TRUE(window().messages().lines().isEmpty());
+}
+
+TEST_F(Manual_in_window, EveryControlHasATipAndAName) {
+  trigger("palette");
+  trigger("shortcuts");
+  trigger("coordinates");
+  EXPECT_EQ(faults_of_controls(window()), QStringList()) << faults_of_controls(window()).join('\n').toStdString();
+  EXPECT_EQ(faults_of_controls(manual()), QStringList()) << faults_of_controls(manual()).join('\n').toStdString();
+}
+
+TEST_F(Manual_in_window, WhatsThisSaysWhatTheTipSays) {
+  auto* field = window().settings_panel().findChild<QAbstractSpinBox*>();
+  ASSERT_NE(field, nullptr);
+  QHelpEvent query(QEvent::QueryWhatsThis, QPoint(2, 2), field->mapToGlobal(QPoint(2, 2)));
+  QApplication::sendEvent(field, &query);
+  EXPECT_TRUE(query.isAccepted());
+  EXPECT_EQ(field->whatsThis(), field->toolTip());
+}
+
+}  // namespace
+}  // namespace mesecina
