@@ -149,6 +149,8 @@ Popover* open_coordinates_popover(Editor_2& editor, QWidget* over) {
   y->setAccessibleName(QStringLiteral("y"));
   auto* radius = new QLineEdit(popover);
   radius->setAccessibleName(QObject::tr("Radius"));
+  for (QLineEdit* field : {x, y, radius})
+    field->setToolTip(QObject::tr("In units of the data, with a decimal point; Enter takes it over"));
   /// The disk that is edited: the first selected one when no point or vertex is selected before it.
   const auto disk_index = [&editor]() -> std::optional<std::size_t> {
     const Selection_2 known = restricted(editor.selection(), editor.document().inputs());

@@ -40,6 +40,7 @@ Layer_tree::Layer_tree(Layer_model* model, QWidget* parent)
   setContextMenuPolicy(Qt::CustomContextMenu);
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("Layers"));
+  setWhatsThis(tr("Every layer, the topmost first. The eye shows or hides it; drag it to draw it earlier or later."));
 
   connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& index) {
     if (!is_applying_filter_) collapsed_.insert(index.data().toString());

@@ -301,6 +301,8 @@ void Style_editor::build_cut_row(QGridLayout* grid) {
   auto* layout = tight_row(cut_row_);
   layout->setSpacing(0);
   cut_field_ = new Number_field(cut_row_);
+  cut_field_->setAccessibleName(tr("Limit"));
+  cut_field_->setToolTip(tr("Elements beyond it are no part of the layer"));
   cut_dot_ = new Automatic_dot(cut_row_);
   layout->addWidget(cut_field_, 1);
   layout->addWidget(cut_dot_);

@@ -25,7 +25,7 @@ constexpr int most_recent = 10;
 constexpr int most_items = 100;
 constexpr int most_rows = 11;
 
-enum Role { kind_role = Qt::UserRole, keys_role, is_possible_role, switch_role };
+enum Role { detail_role = Qt::UserRole, kind_role, keys_role, is_possible_role, switch_role };
 
 /// Title, and at the right what it is and its keys, more quietly.
 class Row_delegate : public QStyledItemDelegate {
@@ -60,9 +60,15 @@ class Row_delegate : public QStyledItemDelegate {
     };
     draw_right(index.data(keys_role).toString(), ink);
     draw_right(index.data(kind_role).toString(), mix(ink, ground, quiet));
-    painter->setPen(ink);
-    painter->drawText(row, Qt::AlignVCenter | Qt::AlignLeft,
-                      option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, row.width()));
+    const auto draw_left = [&](const QString& text, const QColor& color) {
+      const QString shown = option.fontMetrics.elidedText(text, Qt::ElideRight, row.width());
+      painter->setPen(color);
+      painter->drawText(row, Qt::AlignVCenter | Qt::AlignLeft, shown);
+      row.setLeft(row.left() + option.fontMetrics.horizontalAdvance(shown) + em);
+    };
+    draw_left(index.data().toString(), ink);
+    // Some names say little without their menu.
+    if (row.width() > 4 * em) draw_left(index.data(detail_role).toString(), mix(ink, ground, quiet));
     painter->restore();
   }
 };
@@ -156,6 +162,7 @@ void Command_palette::fill() {
   list_->clear();
   for (const Palette_item& item : items_) {
     auto* row = new QListWidgetItem(item.title, list_);
+    row->setData(detail_role, item.detail);
     row->setData(kind_role, item.kind);
     row->setData(keys_role, item.keys);
     row->setData(is_possible_role, item.is_possible);

@@ -121,8 +121,11 @@ void Manual::add_page(const QString& id, const QString& title, const QString& bo
   sections_.push_back({id, {}, title, plain(with_anchors.left(first))});
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const qsizetype end = i + 1 < starts.size() ? starts[i + 1].capturedStart() : with_anchors.size();
-    sections_.push_back({id, starts[i].captured(1), plain(starts[i].captured(2)),
-                         plain(with_anchors.mid(starts[i].capturedEnd(), end - starts[i].capturedEnd()))});
+    static const QRegularExpression code(QStringLiteral("<code>(.*?)</code>"));
+    const QString heading_html = starts[i].captured(2);
+    sections_.push_back({id, starts[i].captured(1), plain(QString(heading_html).remove(code)).trimmed(),
+                         code.match(heading_html).captured(1) + QLatin1Char(' ') +
+                             plain(with_anchors.mid(starts[i].capturedEnd(), end - starts[i].capturedEnd()))});
   }
 }
 

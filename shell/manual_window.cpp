@@ -87,7 +87,11 @@ void Manual_window::fill() {
       found.emplace_back(score, &section);
   std::ranges::stable_sort(found, std::greater(), &std::pair<int, const Manual_section*>::first);
   if (found.size() > most_found) found.resize(most_found);
-  for (const auto& [score, section] : found) add(section->title, section->page, section->anchor);
+  for (const auto& [score, section] : found) {
+    const auto page = std::ranges::find(manual_.pages(), section->page, &Manual_page::id);
+    add(section->anchor.isEmpty() ? section->title : tr("%1 – %2").arg(section->title, page->title), section->page,
+        section->anchor);
+  }
 }
 
 void Manual_window::search(const QString& words) { search_->setText(words); }

@@ -110,6 +110,8 @@ Number_table::Number_table(Number_model::Words words, Link link, QWidget* parent
   // Cut off at the end, a number would look as if it had no exponent.
   setTextElideMode(Qt::ElideMiddle);
   setFrameShape(QFrame::NoFrame);
+  setWhatsThis(
+      tr("The exact numbers of the data. Choose a row to select it in the picture; type into it to change it."));
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

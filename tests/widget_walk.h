@@ -49,7 +49,10 @@ inline QStringList faults_of_controls(const QWidget& window) {
             .arg(QLatin1String(widget->metaObject()->className()), widget->objectName(),
                  widget->accessibleName() + text, QLatin1String(widget->parentWidget()->metaObject()->className()),
                  widget->parentWidget()->objectName());
-    if (widget->toolTip().isEmpty() && widget->whatsThis().isEmpty()) faults << QStringLiteral("no tip: ") + place;
+    // Tips and explanations of the row that a control is in are its own, too.
+    const QWidget* row = widget->parentWidget();
+    if ((widget->toolTip() + widget->whatsThis() + row->toolTip()).isEmpty())
+      faults << QStringLiteral("no tip: ") + place;
     if (widget->accessibleName().isEmpty() && text.isEmpty()) faults << QStringLiteral("no name: ") + place;
   }
   return faults;

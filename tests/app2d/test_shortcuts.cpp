@@ -23,16 +23,16 @@ class Shortcuts : public Window_fixture {
 
 TEST_F(Shortcuts, OwnKeysActAtOnceAndInTheNextWindow) {
   editor().choose("tool-disk");
-  editor().assign(QKeySequence("F9"));
+  editor().assign(QKeySequence("F23"));
   EXPECT_EQ(editor().question(), "");
-  EXPECT_EQ(keys("tool-disk"), QList<QKeySequence>{QKeySequence("F9")});
-  EXPECT_TRUE(window().actions()["tool-disk"]->toolTip().contains("(F9)"));
+  EXPECT_EQ(keys("tool-disk"), QList<QKeySequence>{QKeySequence("F23")});
+  EXPECT_TRUE(window().actions()["tool-disk"]->toolTip().contains("(F23)"));
   canvas().setFocus();
   window().activateWindow();
-  press(Qt::Key_F9);
+  press(Qt::Key_F23);
   EXPECT_TRUE(window().actions()["tool-disk"]->isChecked());
   open_window();
-  EXPECT_EQ(keys("tool-disk"), QList<QKeySequence>{QKeySequence("F9")});
+  EXPECT_EQ(keys("tool-disk"), QList<QKeySequence>{QKeySequence("F23")});
   EXPECT_TRUE(window().actions().faults().isEmpty());
   window().actions().reset_keys("tool-disk");
   EXPECT_EQ(keys("tool-disk"), QList<QKeySequence>{QKeySequence("D")});
