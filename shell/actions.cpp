@@ -99,6 +99,8 @@ void Actions::reset_all_keys() {
 const Actions::Entry* Actions::holder_of(const QKeySequence& keys, const QString& except) const {
   if (keys.isEmpty()) return nullptr;
   const auto clashes = [&](const QKeySequence& other) {
+    // Qt takes no keys for the beginning of all.
+    if (other.isEmpty()) return false;
     return keys.matches(other) != QKeySequence::NoMatch || other.matches(keys) != QKeySequence::NoMatch;
   };
   const auto it = std::ranges::find_if(entries_, [&](const Entry& entry) {

@@ -143,6 +143,30 @@ class Settings_source : public Palette_source {
   std::function<void(const std::string&)> focus_;
 };
 
+class Names_source : public Palette_source {
+ public:
+  Names_source(QString kind, std::function<QStringList()> names, std::function<void(const QString&)> run)
+      : kind_(std::move(kind)), names_(std::move(names)), run_(std::move(run)) {}
+
+  std::vector<Palette_item> find(const QString& query) const override {
+    std::vector<Palette_item> items;
+    for (const QString& name : names_()) {
+      const int score = fuzzy_score(query, name, {}, kind_);
+      if (score == 0) continue;
+      Palette_item item{kind_ + QLatin1Char('/') + name, name, kind_, {}};
+      item.score = score;
+      item.run = [run = run_, name] { run(name); };
+      items.push_back(std::move(item));
+    }
+    return items;
+  }
+
+ private:
+  QString kind_;
+  std::function<QStringList()> names_;
+  std::function<void(const QString&)> run_;
+};
+
 class Commands_source : public Palette_source {
  public:
   Commands_source(const Commands& commands, std::function<void(const QString&)> report)
@@ -207,6 +231,11 @@ std::unique_ptr<Palette_source> layers_source(const Registry& registry, Document
 std::unique_ptr<Palette_source> settings_source(const Registry& registry, Document& document,
                                                 std::function<void(const std::string&)> focus) {
   return std::make_unique<Settings_source>(registry, document, std::move(focus));
+}
+
+std::unique_ptr<Palette_source> names_source(QString kind, std::function<QStringList()> names,
+                                             std::function<void(const QString& name)> run) {
+  return std::make_unique<Names_source>(std::move(kind), std::move(names), std::move(run));
 }
 
 std::unique_ptr<Palette_source> commands_source(const Commands& commands, std::function<void(const QString&)> report) {

@@ -43,6 +43,9 @@ std::unique_ptr<Palette_source> layers_source(const Registry& registry, Document
 /// Settings: "delta" goes to its row of the panel by `focus`, "delta 0.02" and "delta=0.02" set it.
 std::unique_ptr<Palette_source> settings_source(const Registry& registry, Document& document,
                                                 std::function<void(const std::string& setting)> focus);
+/// Things of one kind that have no more than a name; `run` is given the one that was chosen.
+std::unique_ptr<Palette_source> names_source(QString kind, std::function<QStringList()> names,
+                                             std::function<void(const QString& name)> run);
 /// Commands with arguments: "add-point 1 2". `report` is told why one cannot be carried out.
 std::unique_ptr<Palette_source> commands_source(const Commands& commands,
                                                 std::function<void(const QString& error)> report);

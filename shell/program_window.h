@@ -224,6 +224,8 @@ class Program_window : public QMainWindow {
   void set_theme(Theme theme);
   void set_background(Canvas_background background);
   bool may_close();
+  void make_bundle_commands();
+  QStringList bundle_names() const;
   void open_palette();
   void add_evolution_action(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
                             const QIcon& icon, std::function<void()> run, bool is_for_canvas = false);

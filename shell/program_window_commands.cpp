@@ -15,6 +15,39 @@ namespace mesecina {
 void Program_window::make_commands() {
   commands_ = std::make_unique<Commands>(*actions_);
   add_window_commands(*commands_, {*registry_, *formats_, document_, computation_, *common_files_, *this});
+  make_bundle_commands();
+}
+
+QStringList Program_window::bundle_names() const {
+  QStringList names;
+  for (const Bundle& bundle : bundles_->store().bundles()) names << QString::fromStdString(bundle.name);
+  return names;
+}
+
+void Program_window::make_bundle_commands() {
+  const QString group = tr("Bundles");
+  const auto file = [](const QString& help) { return Parameter{QStringLiteral("FILE"), help}; };
+  commands_->add({QStringLiteral("bundle"),
+                  tr("Show a bundle"),
+                  tr("Shows layers, looks and settings as a bundle has them"),
+                  group,
+                  {{QStringLiteral("NAME"), tr("of a bundle of the list"), Parameter::Kind::text, Parameter::Count::one,
+                    [this] { return bundle_names(); }}},
+                  [this](const Arguments& arguments) {
+                    bundles_->apply(static_cast<int>(bundle_names().indexOf(arguments.word(0))));
+                  }});
+  commands_->add({QStringLiteral("import-bundles"),
+                  tr("Import bundles"),
+                  tr("Adds the bundles of a file to the list"),
+                  group,
+                  {file(tr("JSON or .bnd"))},
+                  [this](const Arguments& arguments) { bundles_->import_file(arguments.word(0)); }});
+  commands_->add({QStringLiteral("export-bundles"),
+                  tr("Export bundles"),
+                  tr("Writes all bundles of the list to a file"),
+                  group,
+                  {file(tr("where to"))},
+                  [this](const Arguments& arguments) { bundles_->export_file(arguments.word(0)); }});
 }
 
 void Program_window::make_command_actions() {

@@ -129,6 +129,18 @@ TEST_F(Commands_in_window, LayersStylesSettingsAndSwitches) {
   EXPECT_NE(error_of("view 0 10 5 0"), "");
 }
 
+TEST_F(Commands_in_window, BundlesByTheirNames) {
+  ASSERT_FALSE(window().bundles().store().bundles().empty());
+  const Bundle bundle = window().bundles().store().bundles().back();
+  EXPECT_EQ(error_of("bundle " + quoted(QString::fromStdString(bundle.name))), "");
+  for (const Layer_entry& entry : bundle.layers)
+    EXPECT_EQ(find_entry(document().layers(), entry.id)->style.visible, entry.style.visible) << entry.id;
+  EXPECT_NE(error_of("bundle nothing-like-this").find("unknown NAME"), std::string::npos);
+  const QString file = path("bundles.json");
+  EXPECT_EQ(error_of("export-bundles " + quoted(file)), "");
+  EXPECT_TRUE(wait_until([&] { return QFile::exists(file); }));
+}
+
 TEST_F(Commands_in_window, AScriptWaitsForFilesAndPictures) {
   const QString data = write("four.xy", "0 0\n10 0\n10 10\n0 10\n5 3\n");
   const QString script = QStringLiteral(
