@@ -96,6 +96,7 @@ Bundle_panel::Bundle_panel(QWidget* parent)
   row->setContentsMargins(em / 3, em / 3, em / 3, em / 3);
   filter_->setPlaceholderText(tr("Search bundles"));
   filter_->setAccessibleName(tr("Search bundles"));
+  filter_->setToolTip(tr("Words of the name or the description of a bundle"));
   filter_->setClearButtonEnabled(true);
   filter_->hide();
   more_->setIcon(painted_icon(paint_more));
@@ -110,6 +111,7 @@ Bundle_panel::Bundle_panel(QWidget* parent)
   layout->addWidget(list_, 1);
   list_->setObjectName(QStringLiteral("bundle-list"));
   list_->setAccessibleName(tr("Bundles"));
+  list_->setWhatsThis(tr("Presets of layers, looks and settings. A click shows one, and so do the keys 1 to 9."));
   list_->setFrameShape(QFrame::NoFrame);
   list_->setItemDelegate(new Bundle_delegate(list_));
   list_->setDragDropMode(QAbstractItemView::InternalMove);

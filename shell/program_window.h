@@ -225,6 +225,7 @@ class Program_window : public QMainWindow {
   void set_background(Canvas_background background);
   bool may_close();
   void make_bundle_commands();
+  void make_evolution_commands();
   QStringList bundle_names() const;
   void open_palette();
   void add_evolution_action(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys,

@@ -16,6 +16,43 @@ void Program_window::make_commands() {
   commands_ = std::make_unique<Commands>(*actions_);
   add_window_commands(*commands_, {*registry_, *formats_, document_, computation_, *common_files_, *this});
   make_bundle_commands();
+  if (!registry_->evolutions().empty()) make_evolution_commands();
+}
+
+void Program_window::make_evolution_commands() {
+  const QString group = tr("Evolution");
+  const auto known = [registry = registry_] {
+    QStringList ids;
+    for (const Evolution_spec& spec : registry->evolutions()) ids << QString::fromStdString(spec.id);
+    return ids;
+  };
+  commands_->add(
+      {QStringLiteral("evolve"),
+       tr("Make steps"),
+       tr("Makes steps of an evolution, from what is shown"),
+       group,
+       {{QStringLiteral("ID"), tr("of an evolution"), Parameter::Kind::text, Parameter::Count::one, known},
+        {QStringLiteral("N"),
+         tr("how many; 1 if there is none"),
+         Parameter::Kind::whole,
+         Parameter::Count::optional,
+         {},
+         1}},
+       [this](const Arguments& arguments) {
+         evolution_.run({{arguments.word(0).toStdString(), static_cast<std::uint64_t>(arguments.whole(1, 1))}});
+       }});
+  commands_->add(
+      {QStringLiteral("step"),
+       tr("Go to a step"),
+       tr("Shows a step of the evolution; 0 is where it began"),
+       group,
+       {{QStringLiteral("N"), tr("number of the step"), Parameter::Kind::whole, Parameter::Count::one, {}, 0}},
+       [this](const Arguments& arguments) {
+         const std::size_t step = static_cast<std::size_t>(arguments.whole(0));
+         if (step > document_.step_count())
+           throw Command_error(tr("step: expected at most %1, found %2").arg(document_.step_count()).arg(step));
+         evolution_.go_to(step);
+       }});
 }
 
 QStringList Program_window::bundle_names() const {
@@ -82,6 +119,9 @@ void Program_window::open_palette() {
     if (std::ranges::count(settings_panel_->listed(), setting) == 0) settings_browser_->search({});
     settings_panel_->focus_setting(setting);
   }));
+  sources.push_back(names_source(
+      tr("Bundle"), [this] { return bundle_names(); },
+      [this](const QString& name) { bundles_->apply(static_cast<int>(bundle_names().indexOf(name))); }));
   sources.push_back(
       commands_source(*commands_, [this](const QString& error) { messages_->add(Message_bar::Kind::error, error); }));
   palette_ = new Command_palette(program_, std::move(sources), this);

@@ -141,6 +141,14 @@ TEST_F(Commands_in_window, BundlesByTheirNames) {
   EXPECT_TRUE(wait_until([&] { return QFile::exists(file); }));
 }
 
+TEST_F(Commands_in_window, AScriptMakesStepsOfEvolutions) {
+  EXPECT_EQ(play("evolve noise 3\nstep 1\nquit").left(4), "quit");
+  EXPECT_EQ(document().step_count(), 3u);
+  EXPECT_EQ(document().position(), 1u);
+  EXPECT_NE(error_of("step 9").find("at most 3"), std::string::npos);
+  EXPECT_NE(error_of("evolve noize 3").find("did you mean 'noise'"), std::string::npos);
+}
+
 TEST_F(Commands_in_window, AScriptWaitsForFilesAndPictures) {
   const QString data = write("four.xy", "0 0\n10 0\n10 10\n0 10\n5 3\n");
   const QString script = QStringLiteral(
