@@ -137,6 +137,25 @@ TEST_F(Newcomer, LooksAroundWhileItComputesAndCancels) {
   ASSERT_TRUE(wait_until([&] { return !window().computation().is_busy(); }));
 }
 
+TEST_F(Newcomer, StepsAnEvolutionAndGoesBackAndForth) {
+  ASSERT_TRUE(wait_until_idle());
+  const std::vector<Point_2> start = points();
+  run({"evolve-laplacian-smoothing"});
+  for (std::size_t step = 1; step <= 3; ++step) {
+    run({"evolution-forward"});
+    ASSERT_TRUE(
+        wait_until([&] { return document().step_count() == step && !window().evolution().evolver().is_busy(); }));
+  }
+  const std::vector<Point_2> smooth = points();
+  EXPECT_NE(smooth, start);
+  press(Qt::Key_Home);
+  EXPECT_EQ(points(), start);
+  press(Qt::Key_End);
+  EXPECT_EQ(points(), smooth);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(points(), start);
+}
+
 TEST_F(Newcomer, WritesVectorsThatNameTheirLayers) {
   ASSERT_TRUE(wait_until_idle());
   const QString svg = folder_.filePath("figure.svg");
