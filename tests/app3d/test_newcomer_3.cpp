@@ -55,7 +55,7 @@ class Newcomer_3 : public Window_3 {
     QTest::keyClick(&viewer(), key, modifiers);
   }
   void drop_three_balls() {
-    drop(write("three.woff", "WOFF 3 0 0\n0 0 0 1\n1.2 0 0 0.8\n0 1.1 0.2 0.7\n"));
+    drop(write("three.woff", "WOFF 3 0 0\n0 0 0 1\n1.2 0 0 0.8\n0 1.1 0.2 1\n"));
     ASSERT_EQ(balls().size(), 3U);
   }
 };
