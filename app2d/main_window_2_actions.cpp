@@ -233,6 +233,7 @@ void Main_window_2::make_menus() {
   actions_->add_to(view, {"fit", "previous-view", "zoom-in", "zoom-out", "-", "toggle-layers", "solo-layers",
                           "show-all-layers", "find-layer", "find-setting", "-"});
   add_bundle_menu(view);
+  actions_->add_to(view, {"show-statistics", "show-log"});
   add_look_menus(view);
   add_evolution_menu();
 

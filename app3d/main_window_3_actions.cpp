@@ -113,6 +113,7 @@ void Main_window_3::make_menus() {
   add_view_menus(view);
   actions_->add_to(view, {"-", "toggle-layers", "solo-layers", "show-all-layers", "find-layer", "find-setting", "-"});
   add_bundle_menu(view);
+  actions_->add_to(view, {"show-statistics", "show-log"});
   add_look_menus(view);
   add_evolution_menu();
   // Alt+H shows all layers.

@@ -30,6 +30,9 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
     if (is_busy_) Q_EMIT progressed(stage_text(stage), fraction);
   };
   listener.finished_layer = [this](const Worker::Layer_result& result) { take(result); };
+  listener.reported = [this](const Worker::Report& report) {
+    if (!report.stages.empty()) Q_EMIT reported(report);
+  };
   listener.finished = [this](std::uint64_t ticket, bool) { finish(ticket); };
   // Closures that come after this object is gone are dropped by Qt with it.
   const auto deliver = [this](std::function<void()> closure) {

@@ -57,6 +57,8 @@ class Computation : public QObject {
   void layer_changed(const QString& layer);
   /// Also said at every new request while others are under way.
   void busy_changed(bool is_busy);
+  /// Something was computed, and all that was asked for is there.
+  void reported(const mesecina::Worker::Report& report);
   /// fraction in [0,1] of the stage.
   void progressed(const QString& stage, double fraction);
   void kept_bytes_changed();

@@ -286,6 +286,7 @@ void Program_window::make_look_actions() {
                                  true},
                                 [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   full->setChecked(isFullScreen());
+  build_reports();
 }
 
 void Program_window::add_look_menus(QMenu* view) const {

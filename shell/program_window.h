@@ -22,6 +22,7 @@
 #include "shell/files.h"
 #include "shell/layer_notes.h"
 #include "shell/manual_window.h"
+#include "shell/log_panel.h"
 #include "shell/message_bar.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
@@ -29,6 +30,7 @@
 #include "shell/settings_browser.h"
 #include "shell/settings_panel.h"
 #include "shell/shortcut_editor.h"
+#include "shell/statistics_panel.h"
 #include "shell/status_progress.h"
 #include "shell/theme.h"
 #include "shell/window_bundles.h"
@@ -67,7 +69,7 @@ struct Startup {
   std::optional<Seen_2> seen = {};
   std::optional<Seen_3> seen_3 = {};
   std::vector<Evolution_order> evolutions = {};  ///< that the data goes through, one after the other
-  std::shared_ptr<const Session> session = {};  ///< shown in place of the example; null for none
+  std::shared_ptr<const Session> session = {};   ///< shown in place of the example; null for none
 };
 
 /// What a command line asks for: its session with what else it says, where the session brings the data.
@@ -118,6 +120,8 @@ class Program_window : public QMainWindow {
   /// From now on the scene is written into the store soon after every change, and what other windows left there is
   /// offered. `is_reopening`: the scene that was closed last is shown, unless the user wants none. For programs; once.
   void keep_scenes(const std::filesystem::path& store, bool is_reopening);
+  Statistics_panel& statistics() { return *statistics_; }
+  Log_panel& log() { return *log_; }
   /// Null before keep_scenes(), and where the store cannot be written.
   Autosave* autosave() { return autosave_.get(); }
   Recovery_bar& recovery_bar() { return *recovery_bar_; }
@@ -240,6 +244,9 @@ class Program_window : public QMainWindow {
   void find_evolution_settings();
   void open_manual();
   void show_figure(const Manual_figure& figure);
+  void build_reports();
+  void record_run(const Worker::Report& report);
+  void log_layer(const std::string& layer);
   void end_keeping();
   void show_session(const Session& session);
   void show_stored_scene(const QString& folder, const QString& step);
@@ -260,6 +267,11 @@ class Program_window : public QMainWindow {
   QPointer<Shortcut_editor> shortcut_editor_;
   QPointer<Manual_window> manual_;
   std::vector<QDockWidget*> docks_;
+  Statistics_panel* statistics_ = nullptr;
+  Log_panel* log_ = nullptr;
+  QDockWidget* statistics_dock_ = nullptr;
+  QDockWidget* log_dock_ = nullptr;
+  std::map<std::string, QString> logged_;  ///< by layer, what the log said of it last
   Recovery_bar* recovery_bar_ = nullptr;
   std::optional<Scene_store> store_;
   std::unique_ptr<Autosave> autosave_;

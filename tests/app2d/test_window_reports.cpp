@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QTreeWidget>
+#include <QtTest>
+#include <nlohmann/json.hpp>
+
+#include "window_fixture.h"
+
+namespace mesecina {
+namespace {
+
+class Window_reports : public Window_fixture {
+ protected:
+  QByteArray content(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll();
+  }
+  const std::vector<Run_record>& runs() { return window().statistics().runs(); }
+};
+
+TEST_F(Window_reports, EveryStepIsARunWithItsCountsAndTopology) {
+  trigger("show-statistics");
+  ASSERT_TRUE(wait_until_current("one-step-crust"));
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{0, 0}, {4, 0}, {4, 3}, {0, 3}}), "Square");
+  ASSERT_TRUE(wait_until([&] { return !runs().empty() && runs().back().what == "Square"; }));
+  ASSERT_TRUE(wait_until([&] {
+    const auto& layers = runs().back().layers;
+    const auto crust = std::ranges::find(layers, "one-step-crust", &Layer_record::id);
+    return crust != layers.end() && crust->topology.has_value();
+  }));
+  const Run_record run = runs().back();
+  EXPECT_EQ(run.counts.at("points"), 4u);
+  EXPECT_GT(run.memory, 1000000u);
+  EXPECT_FALSE(run.stages.empty());
+  const auto crust = std::ranges::find(run.layers, "one-step-crust", &Layer_record::id);
+  EXPECT_EQ(crust->elements, 4u);
+  EXPECT_EQ(crust->topology->euler, 0);
+  EXPECT_EQ(crust->topology->betti, (std::array<std::int64_t, 3>{1, 1, 0}));
+
+  const QString json = folder_.filePath("runs.json");
+  window().statistics().write(json);
+  const auto list = nlohmann::json::parse(content(json).toStdString());
+  EXPECT_EQ(list.size(), runs().size());
+  EXPECT_EQ(list.back()["layers"]["one-step-crust"]["betti"], (nlohmann::json{1, 1, 0}));
+  const QString csv = folder_.filePath("runs.csv");
+  window().statistics().write(csv);
+  EXPECT_TRUE(content(csv).contains("Input,points,"));
+}
+
+TEST_F(Window_reports, TheLogSaysWhatFailedAndLeadsThere) {
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{0, 0}}), "One point");
+  Layer_list layers = document().layers();
+  for (Layer_entry& entry : layers) entry.style.visible = entry.id == "medial-axis";
+  document().edit_layers(layers, "axis");
+  const auto of_axis = [&] {
+    return std::ranges::find(window().log().entries(), QStringLiteral("medial-axis"), &Log_panel::Entry::layer);
+  };
+  ASSERT_TRUE(wait_until([&] { return of_axis() != window().log().entries().end(); }));
+  EXPECT_EQ(of_axis()->kind, Message_bar::Kind::error);
+  EXPECT_TRUE(window().log().text().contains(of_axis()->text));
+  window().layer_panel().select({"points"});
+  auto* list = window().log().findChild<QTreeWidget*>();
+  const auto number = static_cast<int>(of_axis() - window().log().entries().begin());
+  Q_EMIT list->itemActivated(list->topLevelItem(number), 0);
+  EXPECT_EQ(window().layer_panel().selected(), QStringList{"medial-axis"});
+
+  window().messages().add(Message_bar::Kind::warning, "something");
+  EXPECT_EQ(window().log().entries().back().text, "something");
+}
+
+TEST(Log_places, PathsAreFoundInMessages) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("a.xy");
+  EXPECT_EQ(path_in("Wrote " + path), QString());
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  EXPECT_EQ(path_in("Wrote " + path), path);
+  EXPECT_EQ(path_in(path + ":12: expected a number, found 'x'"), path);
+  EXPECT_EQ(path_in("nothing at all"), QString());
+}
+
+}  // namespace
+}  // namespace mesecina
