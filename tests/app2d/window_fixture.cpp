@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QMouseEvent>
+#include <QSettings>
 #include <QtTest>
 
 #include "core/session_formats.h"
@@ -11,6 +12,12 @@
 #include "layers/picture_formats.h"
 
 namespace mesecina {
+
+void Window_fixture::SetUp() {
+  QSettings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("mesecina"), QStringLiteral("mesecina2d"))
+      .clear();
+  open_window();
+}
 
 void Window_fixture::open_window(Startup startup) {
   Formats formats = planar_formats();

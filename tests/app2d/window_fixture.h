@@ -18,7 +18,8 @@ class Window_fixture : public testing::Test {
  protected:
   /// Replaces the window.
   void open_window(Startup startup = {});
-  void SetUp() override { open_window(); }
+  /// A window of a new user.
+  void SetUp() override;
 
   Main_window_2& window() { return *window_; }
   Document& document() { return window_->document(); }
