@@ -191,7 +191,9 @@ void Main_window_2::make_view_commands() {
        [this](const Arguments& arguments) {
          const QSize usual = canvas_->size() * canvas_->devicePixelRatioF();
          const auto [width, height] = arguments.has(1) ? arguments.size(1) : std::pair(usual.width(), usual.height());
-         write_picture(arguments.word(0), width, height, arguments.has(2));
+         Film_frame frame = picture_frame(QSize(width, height), canvas_->size());
+         frame.scene.transparent_background = arguments.has(2);
+         files_->export_picture(arguments.word(0), std::move(frame), QSize(width, height));
        },
        true});
 }
@@ -209,14 +211,6 @@ void Main_window_2::view_box(const QStringList& words) {
     throw Command_error(tr("view: expected fit or XMIN XMAX YMIN YMAX, found '%1'").arg(words.join(QLatin1Char(' '))));
   canvas_->set_view({{(sides[0] + sides[1]) / 2, (sides[2] + sides[3]) / 2},
                      std::min(canvas_->width() / (sides[1] - sides[0]), canvas_->height() / (sides[3] - sides[2]))});
-}
-
-void Main_window_2::write_picture(const QString& path, int width, int height, bool is_transparent) {
-  Scene scene = computation_.scene(background());
-  scene.transparent_background = is_transparent;
-  View_2 view = canvas_->view();
-  view.scale *= std::min(double(width) / canvas_->width(), double(height) / canvas_->height());
-  files_->export_picture(path, std::move(scene), view, width, height);
 }
 
 }  // namespace mesecina

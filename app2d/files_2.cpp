@@ -39,9 +39,4 @@ void Files_2::write_example(const QString& name, const QString& folder) {
   QFile::copy(QStringLiteral(":/examples/") + name, QDir(folder).filePath(name));
 }
 
-void Files_2::export_picture(const QString& path, Scene scene, const View_2& view, int width, int height) {
-  Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](
-                                  const Picture_writer& writer) { writer.write(path, scene, view, width, height); });
-}
-
 }  // namespace mesecina

@@ -19,7 +19,6 @@ class Files_2 : public Files {
   void open_example(const QString& name);
   /// Into a folder, under its name.
   static void write_example(const QString& name, const QString& folder);
-  void export_picture(const QString& path, Scene scene, const View_2& view, int width, int height);
 };
 
 }  // namespace mesecina

@@ -113,6 +113,7 @@ void Main_window_2::connect_parts() {
   });
   connect(canvas_, &Canvas_2::view_changed, this, [this] {
     touch_scene();
+    recording().note_change();
     hover_->forget();
     // Handles keep their distance on the screen.
     if (!editor_->selection().disks.empty()) show_overlay();

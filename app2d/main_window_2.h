@@ -42,6 +42,7 @@ class Main_window_2 : public Program_window {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   void finish_drawing() override;
+  Film_frame picture_frame(const QSize& size, const QSize& seen) const override;
   void show_scene() override;
   void show_title() override;
   void show_document(const Document_change& change) override;
@@ -78,9 +79,6 @@ class Main_window_2 : public Program_window {
   void escape();
   void open_menu(const QPointF& pixel);
   void generate(const Generator_2& generator);
-  void export_picture();
-  /// What is in view, in a picture of this size in pixels.
-  void write_picture(const QString& path, int width, int height, bool is_transparent);
   /// "fit", or four sides. Throws Command_error.
   void view_box(const QStringList& words);
   void export_layers();

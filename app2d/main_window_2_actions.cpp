@@ -32,6 +32,7 @@ void Main_window_2::make_actions() {
   make_edit_actions();
   make_tool_actions();
   make_view_actions();
+  make_recording();
 }
 
 void Main_window_2::make_file_actions() {
@@ -56,8 +57,7 @@ void Main_window_2::make_file_actions() {
       [this] { files_->save_part_as(std::string(outline_input.id)); });
   add("save-disks", tr("&Disks…"), tr("Save the disks alone"), {},
       [this] { files_->save_part_as(std::string(disks_input.id)); });
-  add("export-picture", tr("Export &picture…"), tr("Write what is in view as PNG, SVG or PDF"),
-      {QKeySequence(Qt::CTRL | Qt::Key_E)}, [this] { export_picture(); });
+  make_picture_actions();
   add("export-layers", tr("Export &layers…"), tr("Write the visible layers as data: JSON, CSV, OBJ, PLY"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}, [this] { export_layers(); });
   make_session_actions();
@@ -205,7 +205,8 @@ void Main_window_2::make_menus() {
   actions_->add_to(file, {"-", "save", "save-as", "save-session"});
   QMenu* parts = file->addMenu(tr("Save a pa&rt"));
   actions_->add_to(parts, {"save-points", "save-outline", "save-disks"});
-  actions_->add_to(file, {"-", "export-picture", "pictures-with-scene", "export-layers", "-", "reopen-last-scene", "quit"});
+  actions_->add_to(file, {"-", "export-picture", "copy-picture", "record", "pictures-with-scene", "export-layers", "-",
+                          "reopen-last-scene", "quit"});
 
   QMenu* edit = menu(tr("&Edit"));
   actions_->add_to(edit, {"undo", "redo", "-", "cut", "copy", "paste", "duplicate", "delete", "-", "select-all",
@@ -272,14 +273,10 @@ void Main_window_2::open_menu(const QPointF& pixel) {
   menu->popup(canvas_->mapToGlobal(pixel.toPoint()));
 }
 
-void Main_window_2::export_picture() {
-  if (popover_) popover_->dismiss();
-  const QSize start = canvas_->size() * canvas_->devicePixelRatioF();
-  open_popover(open_picture_popover(start, canvas_, [this](int width, int height, bool is_transparent) {
-    const QString path = files_->choose_for_writing(tr("Export picture"), files_->stem(),
-                                                    tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"));
-    if (!path.isEmpty()) write_picture(path, width, height, is_transparent);
-  }));
+Film_frame Main_window_2::picture_frame(const QSize& size, const QSize& seen) const {
+  View_2 view = canvas_->view();
+  view.scale *= std::min(double(size.width()) / seen.width(), double(size.height()) / seen.height());
+  return {computation_.scene(background()), view, {}};
 }
 
 void Main_window_2::export_layers() {

@@ -203,29 +203,6 @@ Popover* open_coordinates_popover(Editor_2& editor, QWidget* over) {
   return popover;
 }
 
-Popover* open_picture_popover(const QSize& start, QWidget* over,
-                              std::function<void(int width, int height, bool)> write) {
-  auto* popover = new Popover(QObject::tr("Export picture"), over);
-  constexpr int most_pixels = 32000;
-  auto* width = make_count_field(1, most_pixels, start.width(), popover, QObject::tr("Width of the picture"));
-  auto* height = make_count_field(1, most_pixels, start.height(), popover, QObject::tr("Height of the picture"));
-  for (QSpinBox* box : {width, height}) box->setSuffix(QObject::tr(" px"));
-  auto* is_transparent = new QCheckBox(QObject::tr("Transparent background"), popover);
-  auto* save = new QPushButton(QObject::tr("Save as…"), popover);
-  save->setToolTip(QObject::tr("PNG, SVG or PDF, by the name of the file"));
-  popover->form()->addRow(QObject::tr("Width"), width);
-  popover->form()->addRow(QObject::tr("Height"), height);
-  popover->form()->addRow(is_transparent);
-  popover->column()->addWidget(save);
-  popover->set_default(save);
-  QObject::connect(save, &QPushButton::clicked, popover, [=, write = std::move(write)] {
-    write(width->value(), height->value(), is_transparent->isChecked());
-    popover->dismiss();
-  });
-  popover->open();
-  return popover;
-}
-
 Popover* open_layers_popover(const Formats& formats, QWidget* over,
                              std::function<void(const std::vector<std::string>&)> write) {
   auto* popover = new Popover(QObject::tr("Export visible layers"), over);

@@ -26,10 +26,6 @@ Popover* open_generator_popover(const Generator_2& generator, Editor_2& editor, 
 /// nothing is selected.
 Popover* open_coordinates_popover(Editor_2& editor, QWidget* over);
 
-/// Asks for the size of a picture; `write` is called with it and whether the background is transparent.
-Popover* open_picture_popover(const QSize& start, QWidget* over,
-                              std::function<void(int width, int height, bool)> write);
-
 /// Asks for formats of layers; `write` is called with their names.
 Popover* open_layers_popover(const Formats& formats, QWidget* over,
                              std::function<void(const std::vector<std::string>&)> write);

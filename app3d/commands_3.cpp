@@ -185,7 +185,7 @@ void Main_window_3::make_view_commands() {
          const auto [width, height] = arguments.has(1) ? arguments.size(1) : std::pair(usual.width(), usual.height());
          Scene scene = computation_.scene(background());
          scene.transparent_background = arguments.has(2);
-         files_->export_picture(arguments.word(0), std::move(scene), seen_view(), width, height);
+         files_->export_picture(arguments.word(0), {std::move(scene), {}, seen_view()}, QSize(width, height));
        },
        true});
 }

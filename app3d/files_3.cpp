@@ -57,9 +57,4 @@ void Files_3::write_example(const Formats& formats, const QString& name, const Q
   }
 }
 
-void Files_3::export_picture(const QString& path, Scene scene, const View_3& view, int width, int height) {
-  Files::export_picture(path, [path = path.toStdString(), scene = std::move(scene), view, width, height](
-                                  const Picture_writer& writer) { writer.write_3(path, scene, view, width, height); });
-}
-
 }  // namespace mesecina

@@ -19,7 +19,6 @@ class Files_3 : public Files {
   static Inputs example(const QString& name);
   /// Into a folder, under its name. Throws File_error.
   static void write_example(const Formats& formats, const QString& name, const QString& folder);
-  void export_picture(const QString& path, Scene scene, const View_3& view, int width, int height);
 };
 
 /// Everything of both: triangles, balls and points of `more` come after those of `inputs`.

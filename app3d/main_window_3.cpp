@@ -44,6 +44,7 @@ Main_window_3::Main_window_3(const std::shared_ptr<const Registry>& registry, Fo
   make_tool_bar();
   connect_common();
   connect_editing();
+  if (viewer_) connect(viewer_, &Viewer_3::view_changed, &recording(), &Window_recording::note_change);
   use_tool(QStringLiteral("tool-turn"));
   show_selection();
   make_own_commands();

@@ -45,6 +45,8 @@ class Main_window_3 : public Program_window {
   void finish_drawing() override;
 
  protected:
+  bool can_paint() const override { return viewer_ != nullptr; }
+  Film_frame picture_frame(const QSize& size, const QSize& seen) const override;
   void show_scene() override;
   void show_title() override;
   QString unsaved_text() const override;
@@ -95,7 +97,6 @@ class Main_window_3 : public Program_window {
   /// What was asked for at the start, or all of the data.
   void show_first_view();
   void escape();
-  void export_picture();
   void export_layers();
   void save_view();
   void open_view();

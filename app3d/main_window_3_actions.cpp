@@ -35,6 +35,7 @@ void Main_window_3::make_actions() {
   make_tool_actions();
   make_insert_actions();
   make_view_actions();
+  make_recording();
   make_help_actions();
 }
 
@@ -48,8 +49,7 @@ void Main_window_3::make_file_actions() {
       {QKeySequence(Qt::CTRL | Qt::Key_O)}, [this] { files_->choose_and_open(false); });
   add("add-file", tr("&Add file…"), tr("Add the data of files to what there is, as dropping with Ctrl does"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)}, [this] { files_->choose_and_open(true); });
-  add("export-picture", tr("Export &picture…"), tr("Write what is in view as PNG"),
-      {QKeySequence(Qt::CTRL | Qt::Key_E)}, [this] { export_picture(); });
+  make_picture_actions();
   add("export-layers", tr("Export &layers…"), tr("Write the visible layers as data: JSON and PLY"),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)}, [this] { export_layers(); });
   add("save-view", tr("Save &view…"),
@@ -106,8 +106,8 @@ void Main_window_3::make_menus() {
   actions_->add_to(file, {"-", "save", "save-as", "save-session"});
   QMenu* parts = file->addMenu(tr("Save a pa&rt"));
   actions_->add_to(parts, {"save-mesh", "save-balls", "save-points"});
-  actions_->add_to(file, {"-", "export-picture", "pictures-with-scene", "export-layers", "-", "save-view", "open-view", "-",
-                          "reopen-last-scene", "quit"});
+  actions_->add_to(file, {"-", "export-picture", "copy-picture", "record", "pictures-with-scene", "export-layers", "-",
+                          "save-view", "open-view", "-", "reopen-last-scene", "quit"});
   make_editing_menus();
   QMenu* view = menu(tr("&View"));
   add_view_menus(view);
@@ -121,12 +121,8 @@ void Main_window_3::make_menus() {
   actions_->add_to(help, {"manual", "palette", "keys", "shortcuts", "whats-this", "-", "about"});
 }
 
-void Main_window_3::export_picture() {
-  if (!viewer_) return;
-  const QString path = files_->choose_for_writing(tr("Export picture"), files_->stem(), tr("PNG picture (*.png)"));
-  if (path.isEmpty()) return;
-  const QSize size = (QSizeF(viewer_->size()) * viewer_->devicePixelRatioF()).toSize();
-  files_->export_picture(path, computation_.scene(background()), viewer_->view(), size.width(), size.height());
+Film_frame Main_window_3::picture_frame(const QSize&, const QSize&) const {
+  return {computation_.scene(background()), {}, viewer_ ? viewer_->view() : seen_view()};
 }
 
 void Main_window_3::export_layers() {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <iostream>
+#include <mutex>
 #include <ostream>
 
 #include "layers/painter_canvas.h"
@@ -27,10 +28,12 @@ constexpr std::int64_t most_pixels = 100'000'000;
 class Lazy_application {
  public:
   void start() {
+    const std::lock_guard lock(mutex_);
     if (!application_) application_ = std::make_unique<Picture_application>();
   }
 
  private:
+  std::mutex mutex_;
   std::unique_ptr<Picture_application> application_;
 };
 

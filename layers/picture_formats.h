@@ -30,7 +30,7 @@ class Picture_application {
 
 /// Adds the picture writers svg, png and pdf and the reader of images, which gives the image and the outline of its
 /// dark silhouette; and films. PNG, PDF and films start a Picture_application at first use, kept as long as the
-/// formats; SVG and reading need none. The writers must not be called by two threads at a time.
+/// formats; SVG and reading need none. Any thread may write and film.
 void add_picture_formats(Formats& formats);
 
 /// What the png writer writes: antialiased, with colour bars, transparent where the scene asks for it. A

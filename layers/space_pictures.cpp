@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <ostream>
 #include <stdexcept>
@@ -58,6 +59,7 @@ class Windowless_renderer {
 
   /// Throws std::runtime_error when there can be none.
   QImage paint(const Scene& scene, const View_3& view, int width, int height) {
+    const std::lock_guard lock(mutex_);
     start_application();
     if (!context_) context_ = std::make_unique<Egl_context>();
     context_->make_current();
@@ -74,10 +76,13 @@ class Windowless_renderer {
 
   /// So that there can be text.
   void start_application() {
+    const std::lock_guard lock(starting_);
     if (!application_) application_ = std::make_unique<Picture_application>();
   }
 
  private:
+  std::mutex mutex_;     ///< of the context
+  std::mutex starting_;  ///< of the application
   std::unique_ptr<Picture_application> application_;
   std::unique_ptr<Egl_context> context_;
   std::unique_ptr<Gl_renderer_3> renderer_;

@@ -16,8 +16,8 @@ std::string reason_against_space_pictures();
 
 /// Adds the picture writers png, svg and pdf for scenes in space, and films. png and films make their OpenGL context at
 /// first use, and throw File_error where there is none; svg and pdf do for more than most_space_shapes elements. Scenes
-/// with colour bars also need a QGuiApplication, which png and pdf start unless there is one. They must not be called
-/// by two threads at a time.
+/// with colour bars also need a QGuiApplication, which png and pdf start unless there is one. Any thread may
+/// write and film.
 void add_space_picture_formats(Formats& formats);
 
 /// A picture of any size, drawn in tiles, with smooth edges and colour bars, transparent where the scene asks for it.

@@ -33,7 +33,10 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
   listener.reported = [this](const Worker::Report& report) {
     if (!report.stages.empty()) Q_EMIT reported(report);
   };
-  listener.finished = [this](std::uint64_t ticket, bool) { finish(ticket); };
+  listener.finished = [this](std::uint64_t ticket, bool is_complete) {
+    if (is_complete) Q_EMIT request_completed();
+    finish(ticket);
+  };
   // Closures that come after this object is gone are dropped by Qt with it.
   const auto deliver = [this](std::function<void()> closure) {
     QMetaObject::invokeMethod(this, std::move(closure), Qt::QueuedConnection);

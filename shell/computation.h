@@ -59,6 +59,8 @@ class Computation : public QObject {
   void busy_changed(bool is_busy);
   /// Something was computed, and all that was asked for is there.
   void reported(const mesecina::Worker::Report& report);
+  /// The pictures are all of one state of the document, though newer ones may be under way.
+  void request_completed();
   /// fraction in [0,1] of the stage.
   void progressed(const QString& stage, double fraction);
   void kept_bytes_changed();

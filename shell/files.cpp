@@ -310,7 +310,16 @@ bool Files::write(const QString& path, const Input_writer& writer) {
   return true;
 }
 
-void Files::export_picture(const QString& path, std::function<void(const Picture_writer&)> write) {
+void write_picture(const Picture_writer& writer, const std::filesystem::path& file, const Film_frame& frame,
+                   const QSize& size) {
+  if (writer.write_3) {
+    writer.write_3(file, frame.scene, frame.view_3, size.width(), size.height());
+  } else {
+    writer.write(file, frame.scene, frame.view, size.width(), size.height());
+  }
+}
+
+void Files::export_picture(const QString& path, Film_frame frame, const QSize& size) {
   const Picture_writer* writer = formats_->find_picture_writer(QFileInfo(path).suffix().toLower().toStdString());
   if (!writer) {
     QStringList extensions;
@@ -324,10 +333,10 @@ void Files::export_picture(const QString& path, std::function<void(const Picture
   std::shared_ptr<const Session> session;
   if (has_scenes_in_pictures_ && scene_.session) session = std::make_shared<const Session>(scene_.session());
   jobs_.run(tr("Writing %1").arg(QFileInfo(path).fileName()),
-            [this, formats = formats_, writer, path, write = std::move(write),
+            [this, formats = formats_, writer, path, frame = std::move(frame), size,
              session = std::move(session)]() -> std::function<void()> {
               try {
-                write(*writer);
+                write_picture(*writer, path.toStdString(), frame, size);
                 const std::string scene = session ? to_json(*session) : std::string();
                 const bool is_too_large = scene.size() > most_scene_bytes;
                 if (session && !is_too_large) add_scene_to_picture(path.toStdString(), scene);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/film.h"
 #include "core/formats/format.h"
 #include "core/session.h"
 #include "core/style.h"
@@ -38,6 +40,10 @@ struct Scene_of_window {
   std::function<Session()> session;
   std::function<Document_state(const Session&)> state;
 };
+
+/// A frame as a picture of this size in pixels. Throws File_error.
+void write_picture(const Picture_writer& writer, const std::filesystem::path& file, const Film_frame& frame,
+                   const QSize& size);
 
 /// Brings files into the document and out of it. Reading and exporting happen on another thread.
 class Files : public QObject {
@@ -76,8 +82,8 @@ class Files : public QObject {
   bool save_part_as(const std::string& input_id);
   bool save_part_to(const QString& path, const std::string& input_id);
 
-  /// `write` paints with the writer of the path's extension, on the other thread.
-  void export_picture(const QString& path, std::function<void(const Picture_writer&)> write);
+  /// Paints it in this size in pixels, with the writer of the path's extension, on the other thread.
+  void export_picture(const QString& path, Film_frame frame, const QSize& size);
   /// Whether sessions are put into pictures, so that opening one brings everything back; not where that is too large.
   void set_scenes_in_pictures(bool is_on) { has_scenes_in_pictures_ = is_on; }
   /// One file per visible layer and format, named as those of --nogui: STEM.LAYER.EXTENSION.

@@ -66,6 +66,7 @@ Program_window::Program_window(QString program, std::shared_ptr<const Registry> 
 void Program_window::take_apart() {
   // What is deleted with the base class must not call back into members that are gone by then.
   for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+  delete recording_;
   document_.disconnect();
   computation_.disconnect();
   evolution_.disconnect();
@@ -530,7 +531,7 @@ bool Program_window::may_close() {
 }
 
 void Program_window::closeEvent(QCloseEvent* event) {
-  if (!may_close()) {
+  if (!may_lose_film() || !may_close()) {
     event->ignore();
     return;
   }

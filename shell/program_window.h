@@ -24,6 +24,7 @@
 #include "shell/manual_window.h"
 #include "shell/log_panel.h"
 #include "shell/message_bar.h"
+#include "shell/picture_popover.h"
 #include "shell/popover.h"
 #include "shell/recent_files.h"
 #include "shell/recovery_bar.h"
@@ -34,6 +35,7 @@
 #include "shell/status_progress.h"
 #include "shell/theme.h"
 #include "shell/window_bundles.h"
+#include "shell/window_recording.h"
 
 class QDockWidget;
 class QLabel;
@@ -112,6 +114,7 @@ class Program_window : public QMainWindow {
   Window_bundles& bundles() { return *bundles_; }
   Layer_panel& layer_panel() { return *layer_panel_; }
   Layer_notes& layer_notes() { return *notes_; }
+  Window_recording& recording() { return *recording_; }
   /// Of the widget that is open over the canvas; null for none.
   Popover* popover() const { return popover_; }
 
@@ -155,6 +158,10 @@ class Program_window : public QMainWindow {
   void add_evolution_menu();
   /// To find, reset, save and load settings.
   void make_settings_actions();
+  /// Pictures of what is in view, into files and onto the clipboard.
+  void make_picture_actions();
+  /// Films, their panel, and animated settings. After the panels.
+  void make_recording();
   /// Themes, background, full screen.
   void make_look_actions();
   void add_look_menus(QMenu* view) const;
@@ -175,6 +182,12 @@ class Program_window : public QMainWindow {
   Color background() const;
   /// Shows document, panels and files for the first time.
   void start(const Startup& startup, const QString& usual_layer);
+
+  /// Whether there is something that paints.
+  virtual bool can_paint() const { return true; }
+  /// What is in view, as a picture of this size in pixels shows it. `seen`: the size of the canvas, in which all of it
+  /// is in view.
+  virtual Film_frame picture_frame(const QSize& size, const QSize& seen) const = 0;
 
   /// The newest pictures and notes onto the canvas.
   virtual void show_scene() = 0;
@@ -253,6 +266,13 @@ class Program_window : public QMainWindow {
   void recover(const QString& folder);
   void keep_for_later(const QString& folder);
   void fill_earlier_scenes(QMenu* menu);
+  bool may_lose_film();
+  void export_picture();
+  void copy_picture(const Picture_wish& wish);
+  Picture_wish picture_wish() const;
+  /// Of the canvas, in pixels of the screen.
+  QSize picture_size() const;
+  void open_animation(const std::string& setting, double from, double to);
 
   QString program_;
   Theme_switch themes_;
@@ -262,6 +282,10 @@ class Program_window : public QMainWindow {
   Evolution_bar* evolution_bar_ = nullptr;
   std::vector<Evolution_order> first_evolutions_;  ///< when the files of the start are there
   Files* common_files_ = nullptr;
+  Window_recording* recording_ = nullptr;
+  QDockWidget* record_dock_ = nullptr;
+  Picture_wish picture_wish_;  ///< the last; without a size there was none
+  bool closes_after_film_ = false;
   QLabel* facts_ = nullptr;
   QPointer<Command_palette> palette_;
   QPointer<Shortcut_editor> shortcut_editor_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/settings_panel.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -130,7 +131,12 @@ void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column, QWid
   line->setContentsMargins(0, 0, 0, 0);
   line->setSpacing(fontMetrics().height() / 4);
   line->addWidget(editor, 1);
-  line->addWidget(row.reset, 0, Qt::AlignTop);
+  auto* buttons = new QVBoxLayout;
+  buttons->setSpacing(0);
+  buttons->addWidget(row.reset);
+  if (row.animate) buttons->addWidget(make_animate_button(spec, row));
+  buttons->addStretch(1);
+  line->addLayout(buttons);
   column->addWidget(row.line);
   row.heading = heading;
   const Module_spec* module = registry_->module_of(spec.id);
@@ -141,6 +147,23 @@ void Settings_panel::add_row(const Setting_spec& spec, QVBoxLayout* column, QWid
     if (std::ranges::count(evolution.settings, spec.id) > 0)
       row.words += text_of(' ' + evolution.id + ' ' + evolution.label);
   rows_.emplace(spec.id, std::move(row));
+}
+
+QWidget* Settings_panel::make_animate_button(const Setting_spec& spec, const Row& row) {
+  auto* button = new QToolButton(row.line);
+  button->setText(QStringLiteral("▶"));
+  button->setAutoRaise(true);
+  button->setObjectName(QStringLiteral("animate-") + text_of(spec.id));
+  button->setAccessibleName(tr("Animate %1").arg(text_of(spec.label)));
+  button->setToolTip(tr("Animate: let the number move, play and record it"));
+  connect(button, &QToolButton::clicked, this, row.animate);
+  auto* action = new QAction(tr("Animate %1…").arg(text_of(spec.label)), row.line);
+  connect(action, &QAction::triggered, this, row.animate);
+  auto* reset = new QAction(tr("Reset to %1").arg(text_of(to_text(spec.default_value))), row.line);
+  connect(reset, &QAction::triggered, this, [this, &spec] { change(spec, spec.default_value, {}); });
+  row.line->addActions({action, reset});
+  row.line->setContextMenuPolicy(Qt::ActionsContextMenu);
+  return button;
 }
 
 QWidget* Settings_panel::make_switch(const Setting_spec& spec, Row& row) {
@@ -250,6 +273,9 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
     if (!slider->isSliderDown()) slider->setValue(scale->position(number));
   };
   row.show = [show](const Setting_value& value) { show(number_of(value)); };
+  row.animate = [this, &spec, scale] {
+    Q_EMIT animate_requested(text_of(spec.id), scale->value(0), scale->value(Slider_scale::steps));
+  };
   row.set_slider_maximum = [this, &spec, scale, show, start](double maximum) {
     scale->set_maximum(std::min(maximum, spec.maximum), start);
     show(number_of(registry_->value(settings_, spec.id)));

@@ -38,11 +38,14 @@ class Settings_panel : public QScrollArea {
  Q_SIGNALS:
   /// `merge` is the same for all steps of one drag.
   void edited(const mesecina::Settings& settings, const QString& what, const QString& merge);
+  /// The number shall move; as far as its slider goes, unless somebody knows better.
+  void animate_requested(const QString& setting, double from, double to);
 
  private:
   struct Row {
     std::function<void(const Setting_value&)> show;
     std::function<void(double)> set_slider_maximum;
+    std::function<void()> animate;  ///< of numbers
     QToolButton* reset = nullptr;
     QWidget* line = nullptr;  ///< all of it
     QString words;            ///< that it is found by
@@ -52,6 +55,7 @@ class Settings_panel : public QScrollArea {
   void add_row(const Setting_spec& spec, QVBoxLayout* column, QWidget* heading);
   bool is_listed(const std::string& id, const Row& row) const;
   void apply_filter();
+  QWidget* make_animate_button(const Setting_spec& spec, const Row& row);
   QWidget* make_switch(const Setting_spec& spec, Row& row);
   QWidget* make_text(const Setting_spec& spec, Row& row);
   QWidget* make_number(const Setting_spec& spec, Row& row);

@@ -125,7 +125,7 @@ TEST_F(Files, StartsWithTheViewThatWasAskedFor) {
 TEST_F(Files, ExportsThePictureAndTheLayers) {
   ASSERT_TRUE(wait_until_current("medial-axis"));
   const QString picture = folder_.filePath("view.svg");
-  window().files().export_picture(picture, canvas().scene(), canvas().view(), 400, 300);
+  window().files().export_picture(picture, {canvas().scene(), canvas().view(), {}}, {400, 300});
   std::map<std::string, QString> reasons;
   window().files().export_layers(folder_.path(), canvas().scene(), {"json", "csv"}, {}, reasons);
   ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
@@ -137,8 +137,8 @@ TEST_F(Files, ExportsThePictureAndTheLayers) {
 
 TEST_F(Files, EnterInAnExportGoesOnToTheFile) {
   bool was_written = false;
-  Popover* popover = open_picture_popover(
-      {400, 300}, &canvas(), [&](int width, int height, bool) { was_written = width == 640 && height == 300; });
+  const auto save = [&](const Picture_wish& wish) { was_written = wish.size == QSize(640, 300); };
+  Popover* popover = open_picture_popover({{400, 300}, false}, "PNG", &canvas(), save, {});
   auto* width = popover->findChildren<QSpinBox*>().front();
   width->selectAll();
   QTest::keyClicks(width, "640");

@@ -122,7 +122,7 @@ TEST_F(Window_sessions, PicturesBringEverythingBackAndOthersAreImages) {
   const View_2 view = canvas().view();
   for (const char* name : {"scene.png", "scene.svg", "scene.pdf"}) {
     const QString path = folder_.filePath(name);
-    window().files().export_picture(path, window().computation().scene({255, 255, 255}), view, 300, 200);
+    window().files().export_picture(path, {window().computation().scene({255, 255, 255}), view, {}}, {300, 200});
     ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
     open_window();
     open(path);
@@ -131,7 +131,7 @@ TEST_F(Window_sessions, PicturesBringEverythingBackAndOthersAreImages) {
   }
   window().files().set_scenes_in_pictures(false);
   const QString plain = folder_.filePath("plain.png");
-  window().files().export_picture(plain, window().computation().scene({255, 255, 255}), view, 300, 200);
+  window().files().export_picture(plain, {window().computation().scene({255, 255, 255}), view, {}}, {300, 200});
   ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
   open(plain);
   EXPECT_NE(document().inputs().get(image_input), nullptr);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QImage>
+#include <QMenu>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+#include "shell/animation_popover.h"
+#include "shell/program_window.h"
+
+namespace mesecina {
+
+void Program_window::make_picture_actions() {
+  const QString group = tr("File");
+  actions_->add(group,
+                {QStringLiteral("export-picture"),
+                 tr("Export &picture…"),
+                 tr("Write what is in view as PNG, SVG or PDF, in any size"),
+                 {QKeySequence(Qt::CTRL | Qt::Key_E)}},
+                [this] { export_picture(); });
+  actions_->add(group,
+                {QStringLiteral("copy-picture"),
+                 tr("Copy pict&ure"),
+                 tr("Put a picture of what is in view on the clipboard, in the size that was exported last"),
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)}},
+                [this] { copy_picture(picture_wish()); });
+}
+
+QSize Program_window::picture_size() const {
+  return (QSizeF(common_canvas_->size()) * common_canvas_->devicePixelRatioF()).toSize();
+}
+
+Picture_wish Program_window::picture_wish() const {
+  return {picture_wish_.size.isEmpty() ? picture_size() : picture_wish_.size, picture_wish_.is_transparent};
+}
+
+void Program_window::export_picture() {
+  if (!can_paint()) return;
+  if (popover_) popover_->dismiss();
+  const auto save = [this](const Picture_wish& wish) {
+    picture_wish_ = wish;
+    const QString path = common_files_->choose_for_writing(
+        tr("Export picture"), common_files_->stem(), tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"));
+    if (path.isEmpty()) return;
+    Film_frame frame = picture_frame(wish.size, common_canvas_->size());
+    frame.scene.transparent_background = wish.is_transparent;
+    common_files_->export_picture(path, std::move(frame), wish.size);
+  };
+  const auto copy = [this](const Picture_wish& wish) {
+    picture_wish_ = wish;
+    copy_picture(wish);
+  };
+  open_popover(open_picture_popover({picture_size(), picture_wish_.is_transparent}, tr("PNG, SVG or PDF"),
+                                    common_canvas_, save, copy));
+}
+
+void Program_window::copy_picture(const Picture_wish& wish) {
+  const Picture_writer* writer = formats_->find_picture_writer("png");
+  if (!can_paint() || !writer) return;
+  Film_frame frame = picture_frame(wish.size, common_canvas_->size());
+  frame.scene.transparent_background = wish.is_transparent;
+  common_files_->jobs().run(
+      tr("Painting a picture"),
+      [this, writer, formats = formats_, frame = std::move(frame), wish]() -> std::function<void()> {
+        try {
+          const QTemporaryDir folder;
+          const QString file = folder.filePath(QStringLiteral("picture.png"));
+          write_picture(*writer, file.toStdString(), frame, wish.size);
+          return [this, picture = QImage(file), wish] {
+            QApplication::clipboard()->setImage(picture);
+            constexpr int milliseconds = 5000;
+            statusBar()->showMessage(
+                tr("Copied a picture of %1 × %2 pixels").arg(wish.size.width()).arg(wish.size.height()), milliseconds);
+          };
+        } catch (const std::exception& error) {
+          return [this, reason = QString::fromStdString(error.what())] {
+            messages_->add(Message_bar::Kind::error, reason);
+          };
+        }
+      });
+}
+
+void Program_window::make_recording() {
+  Window_recording::Window window;
+  window.program = program_;
+  window.frame = [this](const QSize& size, const QSize& seen) { return picture_frame(size, seen); };
+  window.seen = [this] { return common_canvas_->size(); };
+  window.size = [this] { return picture_size(); };
+  window.choose_file = [this](const QString& suggestion, const QString& filters) {
+    return common_files_->choose_for_writing(tr("Record into"), suggestion, filters);
+  };
+  window.stem = [this] { return common_files_->stem(); };
+  window.tell = [this](bool is_error, const QString& line) {
+    messages_->add(is_error ? Message_bar::Kind::error : Message_bar::Kind::note, line);
+  };
+  window.show_panel = [this] {
+    record_dock_->show();
+    record_dock_->raise();
+  };
+  recording_ = new Window_recording(registry_, formats_, document_, computation_, std::move(window), this);
+  record_dock_ = add_dock(QStringLiteral("record-dock"), tr("Record"), &recording_->panel(), Qt::RightDockWidgetArea);
+  tabifyDockWidget(settings_dock_, record_dock_);
+  settings_dock_->raise();
+  record_dock_->hide();
+  statusBar()->insertPermanentWidget(1, recording_->indicator());
+  recording_->indicator()->hide();
+  connect(settings_panel_, &Settings_panel::animate_requested, this,
+          [this](const QString& setting, double from, double to) { open_animation(setting.toStdString(), from, to); });
+  connect(recording_, &Window_recording::active_changed, this, [this](bool is_active) {
+    (*actions_)[QStringLiteral("record-film")]->setText(is_active ? tr("Stop &recording") : tr("&Record now"));
+    (*actions_)[QStringLiteral("cancel-film")]->setEnabled(is_active);
+    if (!is_active && closes_after_film_) close();
+  });
+  const QString group = tr("Record");
+  const auto add = [&](const char* id, const QString& text, const QString& tip, QList<QKeySequence> keys,
+                       std::function<void()> run) {
+    return actions_->add(group, {QLatin1String(id), text, tip, std::move(keys)}, std::move(run));
+  };
+  add("record", tr("Rec&ord a film…"),
+      tr("Film what changes, an animated setting, an evolution or, in space, a turntable: MP4, WebM, GIF or pictures"),
+      {QKeySequence(Qt::CTRL | Qt::Key_R)}, [this] {
+        record_dock_->show();
+        record_dock_->raise();
+      });
+  add("record-film", tr("&Record now"), tr("Begin a film as the panel says; while there is one, end it and keep it"),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R)}, [this] {
+        if (!can_paint()) return;
+        if (recording_->recorder().is_active()) {
+          recording_->stop();
+        } else {
+          recording_->record();
+        }
+      });
+  QAction* cancel = add("cancel-film", tr("&Cancel the film"), tr("Stop recording, and keep nothing of it"), {},
+                        [this] { recording_->cancel(); });
+  cancel->setEnabled(false);
+  add("play-animation", tr("Play or stop the &animation"), tr("Of the setting that was animated last"),
+      {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P)}, [this] { recording_->play_or_stop(); });
+}
+
+void Program_window::open_animation(const std::string& setting, double from, double to) {
+  if (popover_) popover_->dismiss();
+  Animation_popover_calls calls;
+  calls.play = [this](const Sweep& sweep) { recording_->play(sweep); };
+  calls.record = [this](const Sweep& sweep) { recording_->prepare(sweep); };
+  calls.remember = [this](const Sweep& sweep) { recording_->remember(sweep); };
+  open_popover(open_animation_popover(*registry_, recording_->sweep(setting, from, to),
+                                      recording_->panel().request().frames_per_second, recording_->player(),
+                                      common_canvas_, std::move(calls)));
+}
+
+bool Program_window::may_lose_film() {
+  if (!recording_ || !recording_->recorder().is_active() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT"))
+    return true;
+  const auto answer = QMessageBox::question(
+      this, tr("Complete the film?"), tr("A film of %1 frames is not complete.").arg(recording_->recorder().frames()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Save && recording_->recorder().is_active()) {
+    closes_after_film_ = true;
+    recording_->stop();
+    return false;
+  }
+  return answer != QMessageBox::Cancel;
+}
+
+}  // namespace mesecina
