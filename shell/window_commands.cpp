@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QWidget>
 #include <algorithm>
@@ -276,6 +277,37 @@ void add_window_commands(Commands& commands, const Command_targets& targets) {
                 [&window = targets.window](const Arguments& arguments) {
                   const auto [width, height] = arguments.size(0);
                   window.resize(width, height);
+                }});
+  commands.add({QStringLiteral("picture-of-window"),
+                tr("Picture of the window"),
+                tr("Saves what the whole window shows, panels and all"),
+                group,
+                {{QStringLiteral("FILE"), tr("where to, with the extension png")}},
+                [&window = targets.window](const Arguments& arguments) {
+                  if (!window.grab().save(arguments.word(0)))
+                    throw Command_error(
+                        tr("picture-of-window: expected a place for a file .png, found '%1', where none "
+                           "can be written")
+                            .arg(arguments.word(0)));
+                },
+                true});
+  const auto panels = [&window = targets.window] {
+    QStringList names;
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>())
+      names << dock->objectName().chopped(QLatin1String("-dock").size());
+    return names;
+  };
+  commands.add({QStringLiteral("panel"),
+                tr("Panel"),
+                tr("Shows a panel, before those that it shares its place with, or hides it"),
+                group,
+                {{QStringLiteral("NAME"), tr("one of %1").arg(panels().join(QStringLiteral(", "))), Kind::text,
+                  Count::one, panels},
+                 {QStringLiteral("off"), tr("hides it"), Kind::flag}},
+                [&window = targets.window](const Arguments& arguments) {
+                  auto* dock = window.findChild<QDockWidget*>(arguments.word(0) + QLatin1String("-dock"));
+                  dock->setVisible(!arguments.has(1));
+                  if (!arguments.has(1)) dock->raise();
                 }});
   const QStringList tools = [&] {
     QStringList names;

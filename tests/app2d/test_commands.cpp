@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
 #include <QFile>
 #include <QImage>
 #include <QMessageBox>
@@ -187,6 +188,22 @@ TEST_F(Commands_in_window, AScriptClosesDialogsInsteadOfWaitingForAnswers) {
   EXPECT_TRUE(error.startsWith("test.txt:1: ")) << error.toStdString();
   EXPECT_TRUE(error.contains("dialog")) << error.toStdString();
   EXPECT_EQ(document().history().count(), 0);
+}
+
+TEST_F(Commands_in_window, PanelsComeForwardAndTheWindowIsPictured) {
+  auto* disks = window().findChild<QDockWidget*>("disks-dock");
+  auto* statistics = window().findChild<QDockWidget*>("statistics-dock");
+  EXPECT_EQ(error_of("panel disks"), "");
+  EXPECT_TRUE(wait_until([&] { return !disks->visibleRegion().isEmpty(); }));
+  EXPECT_EQ(error_of("panel statistics"), "");
+  EXPECT_TRUE(statistics->isVisible());
+  EXPECT_EQ(error_of("panel statistics off"), "");
+  EXPECT_FALSE(statistics->isVisible());
+  EXPECT_NE(error_of("panel disk"), "");
+  const QString picture = path("window.png");
+  EXPECT_EQ(error_of("picture-of-window " + picture), "");
+  EXPECT_EQ(QImage(picture).size(), window().size() * window().devicePixelRatioF());
+  EXPECT_NE(error_of("picture-of-window " + path("missing/window.png")), "");
 }
 
 }  // namespace
