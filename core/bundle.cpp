@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/formats/json_text.h"
 #include "core/shipped_bundle_files.h"
 
 namespace mesecina {
@@ -142,12 +143,7 @@ std::string bundles_to_text(const std::vector<Bundle>& bundles, const Registry& 
 }
 
 std::vector<Bundle> parse_bundles(std::string_view text, const Registry& registry) {
-  Json json;
-  try {
-    json = migrated(Json::parse(text));
-  } catch (const Json::parse_error& error) {
-    throw std::invalid_argument("no JSON: " + std::string(error.what()));
-  }
+  const Json json = migrated(parse_json(text));
   if (!json.is_object() || json.value("format", Json()) != format_name)
     refuse_json(json, "the file", "bundles: {\"format\": \"mesecina-bundles\", ...}");
   const Json version = json.value("version", Json());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/formats/input_json.h"
+#include "core/formats/json_text.h"
 #include "core/formats/text_file.h"
 
 namespace mesecina {
@@ -51,21 +52,6 @@ Json view_of(const Session& session) {
     json = Json::parse(to_json(*session.view_3, session.camera_path));
   }
   return json;
-}
-
-Json parsed(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::size_t offset = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
-    const auto line = 1 + std::ranges::count(text.substr(0, offset), '\n');
-    const std::string found = offset < text.size() ? quote(text.substr(offset, text.substr(offset).find('\n')))
-                                                   : std::string("the end of the file");
-    throw std::invalid_argument("line " + std::to_string(line) + ": expected JSON, found " + found + " at byte " +
-                                std::to_string(offset) + "; the file is damaged or cut off");
-  } catch (const Json::exception& error) {
-    refuse("JSON", error.what());
-  }
 }
 
 /// Takes the member out of the object; null where there is none.
@@ -116,7 +102,7 @@ Inputs inputs_of(const Json& json, const std::string& where, const Input_source&
       inputs = with_input_of(inputs, id, other);
     } else if (value.is_object() && value.contains("file") && source) {
       if (!value["file"].is_string()) refuse_json(value["file"], here, "the name of a file");
-      inputs = with_input_json(inputs, id, parsed(source(value["file"].get<std::string>())));
+      inputs = with_input_json(inputs, id, parse_json(source(value["file"].get<std::string>())));
     } else if (is_input_json(id, value) || !unknown) {
       inputs = with_input_json(inputs, id, value);
     } else {
@@ -283,7 +269,7 @@ std::string to_json(const Session& session, const Input_text& input_text) {
 }
 
 Session parse_session(std::string_view text, const Registry& registry, const Input_source& source) {
-  Json json = parsed(text);
+  Json json = parse_json(text);
   check_format(json);
   Session session;
   const Json dimension = take(json, "dimension");

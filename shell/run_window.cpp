@@ -12,10 +12,12 @@
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #include "core/batch/command_line.h"
 #include "shell/manual.h"
@@ -154,6 +156,13 @@ int write_manual_folder(int argc, char** argv, const Program_identity& identity,
                         const std::filesystem::path& folder,
                         const std::function<std::unique_ptr<Program_window>()>& make_window,
                         const std::function<void(const QString& name, const QString& folder)>& write_example) {
+  std::error_code error;
+  std::filesystem::create_directories(folder / "pictures", error);
+  if (error) {
+    std::cerr << identity.name.toStdString() << ": --manual " << folder.string() << ": cannot be made a directory ("
+              << error.message() << ")" << std::endl;
+    return exit_wrong_usage;
+  }
   bool is_complete = true;
   const auto make_pictures_first = [&] {
     // Windows have threads, and what computes pictures must not be a copy of a process that has.

@@ -272,7 +272,13 @@ void take_session(Command_line& result, const std::filesystem::path& file, const
     throw Usage_error("--session " + std::string(error.what()));
   }
   result.session_file = file;
-  if (result.files.empty()) result.files.push_back(file);
+  if (result.files.empty()) {
+    // Its reader tells what is not understood.
+    result.files.push_back(file);
+  } else {
+    for (const std::string& note : result.session->unknown.parts.notes)
+      result.warnings.push_back("--session " + file.string() + ": " + note);
+  }
   result.settings = result.session->settings;
   for (const auto& [id, style] : result.session->layers) {
     if (!registry.find_layer(id)) continue;
@@ -408,7 +414,11 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
     const bool has_layers = !result.layers.empty();
-    if (!session.empty()) take_session(result, session, registry);
+    if (app.count("--record") > 0 && recording.file.empty())
+      throw Usage_error("--record: expected the name of a file, found nothing");
+    if (app.count("--manual") > 0 && result.manual->empty())
+      throw Usage_error("--manual: expected the name of a directory, found nothing");
+    if (app.count("--session") > 0) take_session(result, session, registry);
     if (result.bundle) use_bundle(result, registry, has_layers);
     result.settings = read_settings(assignments, registry, result.settings);
     if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&

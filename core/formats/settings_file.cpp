@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/settings_file.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <stdexcept>
 
 #include "core/formats/format.h"
+#include "core/formats/json_text.h"
 #include "core/formats/scene_json.h"
+#include "core/formats/text_file.h"
 
 namespace mesecina {
 
@@ -35,13 +36,11 @@ void write_settings_file(std::ostream& stream, const Registry& registry, const S
 }
 
 Settings_file read_settings_file(const std::filesystem::path& file, const Registry& registry) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw File_error(file, 0, "expected a file of settings, found none that can be read");
   nlohmann::json json;
   try {
-    json = nlohmann::json::parse(stream);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw File_error(file, 0, "expected JSON, found something else at byte " + std::to_string(error.byte));
+    json = parse_json(load_bytes(file).text);
+  } catch (const std::invalid_argument& error) {
+    throw File_error(file, 0, error.what());
   }
   const auto refuse = [&](const std::string& message) { throw File_error(file, 0, message); };
   if (!json.is_object() || json.value("format", nlohmann::json()) != format_name)

@@ -60,10 +60,12 @@ refuse() {
 }
 echo '{"format": "mesecina-bundles", "version": 9, "bundles": []}' >future.json
 echo '{"format": "mesecina-bundles", "version": 1, "bundles": []}' >empty.json
+head -c 30 empty.json >cut.json
 printf 'abcdefgh' >old.bnd
 refuse "did you mean 'scale-axis'" scale-axs
 refuse "there is no such file" nothing.json
 refuse "did you mean 'mine'" mine.json#min
 refuse "at most 1" future.json
 refuse "no bundle in it" empty.json
+refuse "cut.json: line 1: expected JSON" cut.json
 refuse "byte 0: expected the mark of a file of bundles 0xB3" old.bnd

@@ -34,4 +34,9 @@ done
 ! grep -lE '<only[23]d>|\{program\}|<figure name' manual/*.html || fail "expected no marks of the chapters"
 
 run --manual /dev/null/manual
-expect_status 1
+expect_status 2
+expect_in stderr '--manual /dev/null/manual: cannot be made a directory'
+run --manual ""
+expect_status 2
+expect_in stderr '--manual: expected the name of a directory'
+expect_no_file pictures

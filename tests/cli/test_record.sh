@@ -131,6 +131,7 @@ refuse() {
   expect_status 2
   expect_in stderr "$text"
 }
+refuse 'name of a file' --nogui ellipse.xy --evolve noise=2 --record ''
 refuse 'nothing moves' --nogui ellipse.xy --record film.mp4
 refuse 'add --record' --nogui ellipse.xy --sweep angle-limit=1:2:3
 refuse "did you mean 'scale-limit'" --nogui ellipse.xy --sweep scale-limt=1:2:3 --record film.mp4

@@ -61,3 +61,24 @@ expect_in stderr 'open it with that program'
 run --nogui cut.mesecina
 expect_status 1
 expect_in stderr 'cut.mesecina'
+
+# What a session says that this program does not know is told, also where the data come from another file.
+for from in scene.mesecina "points.xy --session scene.mesecina"; do
+  # shellcheck disable=SC2086
+  succeed --nogui $from --layers points
+  expect_in stderr "there is no setting 'later'"
+  expect_lines stderr 1
+done
+# Lists within lists are no way to exhaust the stack.
+deep=$(printf '%200000s' '' | tr ' ' '[')
+echo "{\"format\": \"mesecina-session\", \"version\": 1, \"dimension\": 2, \"later\": $deep$(echo "$deep" | tr '[' ']')}" >deep.mesecina
+run --nogui --session deep.mesecina
+expect_status 2
+expect_in stderr 'at most 500 lists'
+run --nogui deep.mesecina
+expect_status 1
+expect_in stderr 'at most 500 lists'
+# A name that is empty, as of a variable that is not set, is not the same as none.
+run --nogui points.xy --session ""
+expect_status 2
+expect_in stderr '--session'

@@ -235,6 +235,14 @@ TEST(Session_test, damaged_text_is_refused_with_its_line) {
   const Registry registry = registry_of(2);
   const std::string text = to_json(full_session());
   EXPECT_THAT(message_of(text.substr(0, text.size() / 2), registry), HasSubstr("the file is damaged or cut off"));
+  const auto with_deep_member = [](std::size_t levels) {
+    return R"({"format": "mesecina-session", "version": 1, "dimension": 2, "title": "[[\"[",)"
+           "\n\"later\": " +
+           std::string(levels, '[') + std::string(levels, ']') + "}";
+  };
+  EXPECT_NO_THROW(parse_session(with_deep_member(499), registry));
+  EXPECT_THAT(message_of(with_deep_member(500), registry), HasSubstr("line 2: expected at most 500 lists"));
+  EXPECT_THAT(message_of(with_deep_member(200000), registry), HasSubstr("line 2: expected at most 500 lists"));
   EXPECT_THAT(message_of("{\n\"format\": \"mesecina-session\",\n\"version\": 1,\n!", registry),
               HasSubstr("line 4: expected JSON, found '!'"));
   EXPECT_THAT(message_of("", registry), HasSubstr("the end of the file"));

@@ -63,6 +63,7 @@ TEST_F(Settings_files, a_name_that_is_not_known_is_told) {
 TEST_F(Settings_files, bad_files_are_refused_with_what_is_wrong) {
   EXPECT_THAT(refusal("{"), HasSubstr("expected JSON"));
   EXPECT_THAT(refusal("[]"), HasSubstr("mesecina-settings"));
+  EXPECT_THAT(refusal(std::string(200000, '[') + std::string(200000, ']')), HasSubstr("at most 500 lists"));
   EXPECT_THAT(refusal(R"({"format": "mesecina-settings", "version": 2, "settings": {}})"), HasSubstr("newer"));
   EXPECT_THAT(refusal(R"({"format": "mesecina-settings", "version": 1})"), HasSubstr("found none"));
   EXPECT_THAT(refusal(R"({"format": "mesecina-settings", "version": 1, "settings": {"limit": 2}})"),
