@@ -273,10 +273,12 @@ Session parse_session(std::string_view text, const Registry& registry, const Inp
   check_format(json);
   Session session;
   const Json dimension = take(json, "dimension");
-  if (dimension != registry.dimension())
+  if (dimension != registry.dimension()) {
+    const bool is_of_the_other_program = dimension == (registry.dimension() == 2 ? 3 : 2);
     refuse("a session of mesecina" + std::to_string(registry.dimension()) + "d",
-           dimension == 2 || dimension == 3 ? "one of mesecina" + dimension.dump() + "d; open it with that program"
-                                            : "\"dimension\": " + describe_json(dimension));
+           is_of_the_other_program ? "one of mesecina" + dimension.dump() + "d; open it with that program"
+                                   : "\"dimension\": " + describe_json(dimension));
+  }
   session.dimension = registry.dimension();
   session.title = take_text(json, "title");
   session.file = take_text(json, "file");

@@ -17,8 +17,6 @@
 
 #include "core/outcome.h"
 
-extern char** environ;
-
 namespace mesecina {
 
 namespace {
@@ -75,6 +73,7 @@ Encoder_process::Encoder_process(const std::vector<std::string>& words) : name_(
   }
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const int error = Spawn_setup(ends[1], complaints_).run(&process_, arguments.data());

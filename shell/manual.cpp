@@ -58,6 +58,7 @@ std::variant<Command_line, Early_exit> parsed_arguments(const Manual_subject& su
   std::vector<std::string> words{subject.program.toStdString()};
   for (const QString& argument : arguments) words.push_back(argument.toStdString());
   std::vector<const char*> pointers;
+  pointers.reserve(words.size());
   for (const std::string& word : words) pointers.push_back(word.c_str());
   std::vector<std::string> maps;
   for (const Color_map& map : color_maps()) maps.push_back(map.name());

@@ -114,7 +114,7 @@ void add_file_commands(Commands& commands, const Command_targets& targets) {
            return names;
          }}},
        [targets](const Arguments& arguments) {
-         const QString folder = arguments.word(0);
+         const QString& folder = arguments.word(0);
          if (!QDir().mkpath(folder))
            throw Command_error(tr("export-layers: the folder '%1' cannot be made").arg(folder));
          std::vector<std::string> formats;
