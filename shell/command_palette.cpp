@@ -73,6 +73,22 @@ class Row_delegate : public QStyledItemDelegate {
   }
 };
 
+/// As many whole words as the label has room for, with dots after them where some are left out.
+QString elided_words(const QString& text, const QLabel& label) {
+  const QRect room = label.contentsRect();
+  const auto fits = [&](const QString& shown) {
+    const QRect endless(0, 0, room.width(), QWIDGETSIZE_MAX);
+    return label.fontMetrics().boundingRect(endless, Qt::TextWordWrap, shown).height() <= room.height();
+  };
+  QString words = text;
+  while (!fits(words)) {
+    const qsizetype end = words.lastIndexOf(QLatin1Char(' '));
+    if (end <= 0) break;
+    words = words.left(end) + QStringLiteral("\u2026");
+  }
+  return words;
+}
+
 }  // namespace
 
 Command_palette::Command_palette(QString program, std::vector<std::unique_ptr<Palette_source>> sources, QWidget* window)
@@ -105,7 +121,8 @@ Command_palette::Command_palette(QString program, std::vector<std::unique_ptr<Pa
   detail_->setTextFormat(Qt::PlainText);
   detail_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   detail_->setContentsMargins(em / 2, 0, em / 2, 0);
-  detail_->setFixedHeight(detail_->fontMetrics().lineSpacing() * 2);
+  constexpr int detail_lines = 3;
+  detail_->setFixedHeight(detail_->fontMetrics().lineSpacing() * detail_lines);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(em / 2, em / 2, em / 2, em / 2);
   column->setSpacing(em / 3);
@@ -123,8 +140,9 @@ Command_palette::Command_palette(QString program, std::vector<std::unique_ptr<Pa
 }
 
 void Command_palette::open() {
-  fill();
   place();
+  layout()->activate();
+  fill();
   show();
   raise();
   line_->setFocus(Qt::PopupFocusReason);
@@ -178,8 +196,8 @@ void Command_palette::show_detail() {
   const bool is_there = row >= 0 && row < static_cast<int>(items_.size());
   const QString text =
       is_there ? items_[static_cast<std::size_t>(row)].detail : tr("Nothing is called so. Try fewer letters.");
-  // Two lines; the whole is in the manual.
-  detail_->setText(text);
+  // The whole is in the tip and in the manual.
+  detail_->setText(elided_words(text, *detail_));
   detail_->setToolTip(text);
 }
 

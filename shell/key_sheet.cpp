@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace mesecina {
@@ -68,6 +69,14 @@ QLabel* column_of(const QString& rows) {
   return label;
 }
 
+std::unique_ptr<QWidget> content_of(const QStringList& columns, int spacing) {
+  auto content = std::make_unique<QWidget>();
+  auto* row_of_columns = new QHBoxLayout(content.get());
+  row_of_columns->setSpacing(spacing);
+  for (const QString& column : columns) row_of_columns->addWidget(column_of(column), 0, Qt::AlignTop);
+  return content;
+}
+
 }  // namespace
 
 QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gestures, QWidget* parent) {
@@ -84,19 +93,21 @@ QWidget* make_key_sheet(const Actions& actions, const std::vector<Gesture>& gest
   const int em = sheet->fontMetrics().height();
   constexpr int least_rows = 20;
   constexpr int frame = 6;  // of the window, in rows
-  const QStringList columns =
-      columns_of(groups, std::max(least_rows, (parent ? parent->height() : 0) / (em + 1) - frame));
-  auto* content = new QWidget;
-  auto* columns_row = new QHBoxLayout(content);
-  columns_row->setSpacing(em * 2);
-  for (const QString& column : columns) columns_row->addWidget(column_of(column), 0, Qt::AlignTop);
+  int rows = std::max(least_rows, (parent ? parent->height() : 0) / (em + 1) - frame);
+  QStringList columns = columns_of(groups, rows);
+  std::unique_ptr<QWidget> content = content_of(columns, em * 2);
+  // What does not fit is below, where the wheel leads, not beside.
+  while (parent && columns.size() > 1 && content->sizeHint().width() + em * 3 > parent->width()) {
+    columns = columns_of(groups, ++rows);
+    content = content_of(columns, em * 2);
+  }
   auto* area = new QScrollArea(sheet);
-  area->setWidget(content);
+  const QSize wanted = content->sizeHint() + QSize(em * 3, em * 3);
+  area->setWidget(content.release());
   area->setFrameShape(QFrame::NoFrame);
   area->setWidgetResizable(true);
   auto* layout = new QVBoxLayout(sheet);
   layout->addWidget(area);
-  const QSize wanted = content->sizeHint() + QSize(em * 3, em * 3);
   sheet->resize(parent ? wanted.boundedTo(parent->size()) : wanted);
   sheet->show();
   return sheet;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
 #include <QLineEdit>
 #include <QtTest>
 #include <algorithm>
@@ -50,6 +51,28 @@ TEST_F(Palette, FindsActionsLayersAndSettingsByAFewLetters) {
   key(Qt::Key_Escape);
   EXPECT_FALSE(window().findChild<QWidget*>("command-palette")->isVisible());
   EXPECT_EQ(document().history().count(), 0);
+}
+
+TEST_F(Palette, WhatARowDoesEndsWithDotsWhereItDoesNotFit) {
+  palette();
+  const auto shown = [this](const Palette_item& item) {
+    for (const QLabel* label : palette().findChildren<QLabel*>())
+      if (label->toolTip() == item.detail) return label->text();
+    return QString();
+  };
+  int cut = 0;
+  for (const auto& layer : document().layers()) {
+    palette().set_query(QString::fromStdString(layer.id));
+    if (palette().items().empty()) continue;
+    const Palette_item& item = palette().items().front();
+    const QString text = shown(item);
+    if (text == item.detail) continue;
+    ++cut;
+    ASSERT_TRUE(text.endsWith(QChar(0x2026))) << text.toStdString();
+    EXPECT_TRUE(item.detail.startsWith(text.chopped(1) + QLatin1Char(' '))) << text.toStdString();
+    EXPECT_GT(text.size(), 100);
+  }
+  EXPECT_GT(cut, 0);
 }
 
 TEST_F(Palette, EnterShowsALayerAndTheNextTimeItComesFirst) {

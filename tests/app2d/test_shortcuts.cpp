@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QtTest>
 
 #include "window_fixture.h"
@@ -77,6 +78,18 @@ TEST_F(Shortcuts, TheSheetOfKeysShowsTheActualOnes) {
   for (const QDialog* sheet : sheets)
     for (const QLabel* label : sheet->findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains("Ctrl+Alt+9"));
+}
+
+TEST_F(Shortcuts, TheSheetOfKeysIsNoWiderThanTheWindow) {
+  window().resize(1000, 700);
+  trigger("keys");
+  int seen = 0;
+  for (const QDialog* sheet : window().findChildren<QDialog*>())
+    for (const QScrollArea* area : sheet->findChildren<QScrollArea*>()) {
+      ++seen;
+      EXPECT_LE(area->widget()->sizeHint().width(), window().width());
+    }
+  EXPECT_EQ(seen, 1);
 }
 
 TEST_F(Shortcuts, WithoutKeysAndBack) {
