@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "layers/video_writer.h"
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <system_error>
@@ -23,6 +24,9 @@ using Words = std::vector<std::string>;
 constexpr const char* encoder = "ffmpeg";
 
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
+/// Names with a colon or a dash are protocols or options to the encoder otherwise.
+std::string file_word(const fs::path& file) { return "file:" + file.string(); }
 
 std::string hexadecimal(const Color& color) {
   constexpr const char* digits = "0123456789abcdef";
@@ -134,7 +138,9 @@ Video::Video(Film_request request, Frame_painter paint)
     begin_encoder();
   } catch (const Program_missing&) {
     kind_ = Film_kind::frames;
-    pattern_ = request_.file.parent_path() / (request_.file.stem().string() + "-%05d.png");
+    std::string stem = request_.file.stem().string();
+    std::ranges::replace(stem, '%', '_');
+    pattern_ = request_.file.parent_path() / (stem + "-%05d.png");
   } catch (const std::runtime_error& problem) {
     fs::remove_all(folder_, error);
     throw File_error(request_.file, 0, problem.what());
@@ -166,10 +172,10 @@ void Video::begin_encoder() {
   if (kind_ == Film_kind::gif) {
     // A palette for all frames is known only after the last of them.
     append(words,
-           {"-c:v", "ffv1", "-pix_fmt", request_.is_transparent ? "bgra" : "bgr0", (folder_ / "frames.mkv").string()});
+           {"-c:v", "ffv1", "-pix_fmt", request_.is_transparent ? "bgra" : "bgr0", file_word(folder_ / "frames.mkv")});
   } else {
     append(words, encoding_words(request_, kind_));
-    words.push_back((folder_ / request_.file.filename()).string());
+    words.push_back(file_word(folder_ / request_.file.filename()));
   }
   encoder_.emplace(words);
 }
@@ -195,14 +201,15 @@ void Video::add(const Film_frame& frame, const std::stop_token& stop) {
 }
 
 void Video::make_gif(const std::stop_token& stop) {
-  const std::string frames = (folder_ / "frames.mkv").string();
-  const std::string palette = (folder_ / "palette.png").string();
+  const std::string frames = file_word(folder_ / "frames.mkv");
+  // A film of one picture: in the names of pictures, % has a meaning.
+  const std::string palette = file_word(folder_ / "palette.mkv");
   const Words start = {encoder, "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-i", frames};
   Words words = start;
-  append(words, {"-vf", palette_filter(request_), palette});
+  append(words, {"-vf", palette_filter(request_), "-c:v", "ffv1", "-pix_fmt", "bgra", palette});
   encoder_.emplace(words).finish(stop);
   words = start;
-  append(words, {"-i", palette, "-lavfi", use_of_palette, "-loop", "0", (folder_ / request_.file.filename()).string()});
+  append(words, {"-i", palette, "-lavfi", use_of_palette, "-loop", "0", file_word(folder_ / request_.file.filename())});
   encoder_.emplace(words).finish(stop);
 }
 

@@ -216,6 +216,9 @@ std::optional<Recording> read_recording(const Recording_words& words, const Comm
     } catch (const std::invalid_argument& error) {
       throw Usage_error("--sweep " + sweep + ": " + error.what());
     }
+    const std::string& setting = recording.sweeps.back().setting;
+    if (std::ranges::count(recording.sweeps, setting, &Sweep::setting) > 1)
+      throw Usage_error("--sweep " + sweep + ": " + setting + " moves already; give it one --sweep");
   }
   if (words.flight > 0) {
     recording.camera_path = line.key_frames;

@@ -63,6 +63,12 @@ succeed --nogui ellipse.xy --layers points,scale-medial-axis --sweep scale-limit
 expect_film loop.gif 4 101x75 10/1
 grep -qa NETSCAPE2.0 loop.gif || fail "expected a GIF that loops"
 
+# Names that mean something to ffmpeg are only names.
+for name in 'a:b/50%d.gif' 'a:b/50%d.mp4' '-d/c.webm'; do
+  succeed --nogui ellipse.xy --layers points --sweep angle-limit=1:2:2 --size 32x32 --record="$name"
+  probe "file:$name" >/dev/null || fail "expected a film $name"
+done
+
 # Several inputs: their stems come first. Other files only where --formats asks for them.
 write_ellipse other.xy 40
 succeed --nogui ellipse.xy other.xy --layers points --sweep angle-limit=1:2:2 --size 64x64 --record many/all.gif --jobs 2 \
@@ -94,6 +100,11 @@ expect_in stderr "no film-%05d.png"
 grep -o "ffmpeg -framerate.*" stderr >command
 bash command 2>/dev/null || fail "expected the command to work: $(cat command)"
 expect_film "no film.mp4" 3 64x48 30/1
+
+run_without_ffmpeg --nogui ellipse.xy --layers points --sweep angle-limit=1:2:2 --size 64x48 --record 50%d.mp4
+expect_status 1
+expect_file 50_d-00001.png
+expect_file 50_d-00002.png
 
 # What ffmpeg complains of is told; nothing stays.
 cat >bin/ffmpeg <<'END'
@@ -132,6 +143,7 @@ refuse() {
   expect_in stderr "$text"
 }
 refuse 'name of a file' --nogui ellipse.xy --evolve noise=2 --record ''
+refuse 'moves already' --nogui ellipse.xy --sweep scale-limit=1:2:3 --sweep scale-limit=1:3:3 --record film.mp4
 refuse 'nothing moves' --nogui ellipse.xy --record film.mp4
 refuse 'add --record' --nogui ellipse.xy --sweep angle-limit=1:2:3
 refuse "did you mean 'scale-limit'" --nogui ellipse.xy --sweep scale-limt=1:2:3 --record film.mp4
