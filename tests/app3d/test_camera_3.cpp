@@ -378,7 +378,8 @@ TEST_F(Camera_in_window, AnExportedPictureIsCutAsTheWindowIs) {
   trigger("view-front");
   trigger("plane-x");
   const QString path = folder_.filePath("cut.png");
-  window_->files().export_picture(path, {window_->computation().scene({255, 255, 255}), {}, viewer().view()}, {300, 300});
+  window_->files().export_picture(path, {window_->computation().scene({255, 255, 255}), {}, viewer().view()},
+                                  {300, 300});
   ASSERT_TRUE(wait_until_idle());
   const QImage picture(path);
   EXPECT_EQ(picture.pixelColor(200, 150), QColor(Qt::white));

@@ -146,7 +146,8 @@ TEST_F(Window_3, ABadFileChangesNothingAndIsTold) {
 TEST_F(Window_3, ExportsThePictureThatIsShown) {
   open_ball();
   const QString path = folder_.filePath("ball.png");
-  window_->files().export_picture(path, {window_->computation().scene({255, 255, 255}), {}, viewer().view()}, {200, 150});
+  window_->files().export_picture(path, {window_->computation().scene({255, 255, 255}), {}, viewer().view()},
+                                  {200, 150});
   ASSERT_TRUE(wait_until_idle());
   const QImage picture(path);
   ASSERT_EQ(picture.size(), QSize(200, 150)) << window_->messages().lines().join("\n").toStdString();
