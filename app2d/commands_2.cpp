@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "app2d/main_window_2.h"
 #include "app2d/popovers_2.h"
 #include "core/formats/number.h"
+#include "shell/common_commands.h"
 
 namespace mesecina {
 
@@ -15,10 +16,6 @@ using Kind = Parameter::Kind;
 using Count = Parameter::Count;
 
 QString tr(const char* text) { return QCoreApplication::translate("commands", text); }
-
-Parameter coordinate(const char* name) { return {QLatin1String(name), tr("in units of the data"), Kind::number}; }
-
-Parameter radius() { return {QStringLiteral("RADIUS"), tr("in units of the data"), Kind::number, Count::one, {}, 0}; }
 
 /// Vertices from x and y one after the other. Throws Command_error for another number of them than pairs of three or
 /// more.
@@ -31,24 +28,6 @@ Ring_2 ring_of(const QStringList& numbers) {
   for (qsizetype i = 0; i < numbers.size(); i += 2)
     ring.push_back({*parse_number(numbers[i].toStdString()), *parse_number(numbers[i + 1].toStdString())});
   return ring;
-}
-
-std::vector<std::size_t> indices_of(const QStringList& words, std::size_t count, const QString& id) {
-  std::vector<std::size_t> indices;
-  for (const QString& word : words) {
-    const std::size_t index = word.toULongLong();
-    if (index >= count)
-      throw Command_error(count == 0 ? tr("%1: there are none").arg(id)
-                                     : tr("%1: expected numbers up to %2, found %3").arg(id).arg(count - 1).arg(word));
-    indices.push_back(index);
-  }
-  if (words.isEmpty()) {
-    indices.resize(count);
-    std::iota(indices.begin(), indices.end(), std::size_t{0});
-  }
-  std::ranges::sort(indices);
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  return indices;
 }
 
 void expect_selection(const Editor_2& editor, const QString& id) {
@@ -70,7 +49,7 @@ void Main_window_2::make_insert_commands() {
                   tr("Add a point"),
                   tr("Adds a point and selects it"),
                   group,
-                  {coordinate("X"), coordinate("Y")},
+                  {coordinate_parameter("X"), coordinate_parameter("Y")},
                   [this](const Arguments& arguments) {
                     editor_->add_point({arguments.number(0), arguments.number(1)});
                   }});
@@ -78,7 +57,7 @@ void Main_window_2::make_insert_commands() {
                   tr("Add a disk"),
                   tr("Adds a disk and selects it"),
                   group,
-                  {coordinate("X"), coordinate("Y"), radius()},
+                  {coordinate_parameter("X"), coordinate_parameter("Y"), radius_parameter()},
                   [this](const Arguments& arguments) {
                     editor_->add_disk({{arguments.number(0), arguments.number(1)}, arguments.number(2)});
                   }});
@@ -119,33 +98,27 @@ void Main_window_2::make_insert_commands() {
 
 void Main_window_2::make_selection_commands() {
   const QString group = tr("Edit");
-  const auto add_choice = [&](const char* id, const QString& name, const QString& help,
-                              std::function<Selection_2(const QStringList&)> choose) {
-    commands_->add(
-        {QLatin1String(id),
-         name,
-         help,
-         group,
-         {{QStringLiteral("N"), tr("numbers, counted from 0; all if there is none"), Kind::whole, Count::any, {}, 0}},
-         [this, choose = std::move(choose)](const Arguments& arguments) {
-           editor_->select(choose(arguments.all(0)));
-         }});
-  };
-  add_choice("select-points", tr("Select points"), tr("Selects these points and nothing else"),
-             [this](const QStringList& words) {
-               const auto points = document_.inputs().get(points_input);
-               return Selection_2{indices_of(words, points ? points->size() : 0, QStringLiteral("select-points"))};
-             });
-  add_choice("select-disks", tr("Select disks"), tr("Selects these disks and nothing else"),
-             [this](const QStringList& words) {
-               const auto disks = document_.inputs().get(disks_input);
-               return Selection_2{{}, {}, indices_of(words, disks ? disks->size() : 0, QStringLiteral("select-disks"))};
-             });
+  commands_->add(selection_command(
+      QStringLiteral("select-points"), tr("Select points"), tr("Selects these points and nothing else"),
+      [this] {
+        const auto points = document_.inputs().get(points_input);
+        return points ? points->size() : 0;
+      },
+      [this](std::vector<std::size_t> indices) { editor_->select(Selection_2{std::move(indices)}); }));
+  commands_->add(selection_command(
+      QStringLiteral("select-disks"), tr("Select disks"), tr("Selects these disks and nothing else"),
+      [this] {
+        const auto disks = document_.inputs().get(disks_input);
+        return disks ? disks->size() : 0;
+      },
+      [this](std::vector<std::size_t> indices) {
+        editor_->select(Selection_2{{}, {}, std::move(indices)});
+      }));
   commands_->add({QStringLiteral("move"),
                   tr("Move the selection"),
                   tr("Moves what is selected"),
                   group,
-                  {coordinate("DX"), coordinate("DY")},
+                  {coordinate_parameter("DX"), coordinate_parameter("DY")},
                   [this](const Arguments& arguments) {
                     expect_selection(*editor_, QStringLiteral("move"));
                     editor_->nudge(arguments.number(0), arguments.number(1));
@@ -154,7 +127,7 @@ void Main_window_2::make_selection_commands() {
                   tr("Place the selection"),
                   tr("Moves the first selected point, vertex or center to a place"),
                   group,
-                  {coordinate("X"), coordinate("Y")},
+                  {coordinate_parameter("X"), coordinate_parameter("Y")},
                   [this](const Arguments& arguments) {
                     expect_selection(*editor_, QStringLiteral("place"));
                     editor_->place({arguments.number(0), arguments.number(1)}, {});
@@ -180,22 +153,12 @@ void Main_window_2::make_view_commands() {
        group,
        {{QStringLiteral("fit|XMIN XMAX YMIN YMAX"), tr("fit, or what should be seen"), Kind::text, Count::some}},
        [this](const Arguments& arguments) { view_box(arguments.all(0)); }});
-  commands_->add(
-      {QStringLiteral("export-picture"),
-       tr("Export a picture"),
-       tr("Writes what is in view, by the extension: .png, .svg or .pdf"),
-       tr("File"),
-       {{QStringLiteral("FILE"), tr("where to")},
-        {QStringLiteral("WxH"), tr("in pixels; that of the canvas if there is none"), Kind::size, Count::optional},
-        {QStringLiteral("transparent"), tr("without a background"), Kind::flag}},
-       [this](const Arguments& arguments) {
-         const QSize usual = canvas_->size() * canvas_->devicePixelRatioF();
-         const auto [width, height] = arguments.has(1) ? arguments.size(1) : std::pair(usual.width(), usual.height());
-         Film_frame frame = picture_frame(QSize(width, height), canvas_->size());
-         frame.scene.transparent_background = arguments.has(2);
-         files_->export_picture(arguments.word(0), std::move(frame), QSize(width, height));
-       },
-       true});
+  commands_->add(picture_command([this] { return canvas_->size() * canvas_->devicePixelRatioF(); },
+                                 [this](const QString& file, const QSize& size, bool is_transparent) {
+                                   Film_frame frame = picture_frame(size, canvas_->size());
+                                   frame.scene.transparent_background = is_transparent;
+                                   files_->export_picture(file, std::move(frame), size);
+                                 }));
 }
 
 void Main_window_2::view_box(const QStringList& words) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QCoreApplication>
 #include <algorithm>
 #include <fstream>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "app3d/main_window_3.h"
+#include "shell/common_commands.h"
 
 namespace mesecina {
 
@@ -14,28 +14,6 @@ namespace {
 
 using Kind = Parameter::Kind;
 using Count = Parameter::Count;
-
-QString tr(const char* text) { return QCoreApplication::translate("commands", text); }
-
-Parameter coordinate(const char* name) { return {QLatin1String(name), tr("in units of the data"), Kind::number}; }
-
-std::vector<std::size_t> indices_of(const QStringList& words, std::size_t count, const QString& id) {
-  std::vector<std::size_t> indices;
-  for (const QString& word : words) {
-    const std::size_t index = word.toULongLong();
-    if (index >= count)
-      throw Command_error(count == 0 ? tr("%1: there are none").arg(id)
-                                     : tr("%1: expected numbers up to %2, found %3").arg(id).arg(count - 1).arg(word));
-    indices.push_back(index);
-  }
-  if (words.isEmpty()) {
-    indices.resize(count);
-    std::iota(indices.begin(), indices.end(), std::size_t{0});
-  }
-  std::ranges::sort(indices);
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-  return indices;
-}
 
 }  // namespace
 
@@ -52,7 +30,7 @@ void Main_window_3::make_insert_commands() {
                   tr("Add a point"),
                   tr("Adds a point and selects it"),
                   group,
-                  {coordinate("X"), coordinate("Y"), coordinate("Z")},
+                  {coordinate_parameter("X"), coordinate_parameter("Y"), coordinate_parameter("Z")},
                   [this](const Arguments& arguments) {
                     editor_->add_point({arguments.number(0), arguments.number(1), arguments.number(2)});
                   }});
@@ -61,10 +39,7 @@ void Main_window_3::make_insert_commands() {
        tr("Add a ball"),
        tr("Adds a ball and selects it"),
        group,
-       {coordinate("X"),
-        coordinate("Y"),
-        coordinate("Z"),
-        {QStringLiteral("RADIUS"), tr("in units of the data"), Kind::number, Count::one, {}, 0}},
+       {coordinate_parameter("X"), coordinate_parameter("Y"), coordinate_parameter("Z"), radius_parameter()},
        [this](const Arguments& arguments) {
          editor_->add_ball({{arguments.number(0), arguments.number(1), arguments.number(2)}, arguments.number(3)});
        }});
@@ -104,28 +79,22 @@ void Main_window_3::make_insert_commands() {
 
 void Main_window_3::make_selection_commands() {
   const QString group = tr("Edit");
-  const auto add_choice = [&](const char* id, const QString& name, const QString& help,
-                              std::function<Selection_3(const QStringList&)> choose) {
-    commands_->add(
-        {QLatin1String(id),
-         name,
-         help,
-         group,
-         {{QStringLiteral("N"), tr("numbers, counted from 0; all if there is none"), Kind::whole, Count::any, {}, 0}},
-         [this, choose = std::move(choose)](const Arguments& arguments) {
-           editor_->select(choose(arguments.all(0)));
-         }});
-  };
-  add_choice("select-points", tr("Select points"), tr("Selects these points and nothing else"),
-             [this](const QStringList& words) {
-               const auto points = document_.inputs().get(cloud_input);
-               return Selection_3{indices_of(words, points ? points->size() : 0, QStringLiteral("select-points"))};
-             });
-  add_choice("select-balls", tr("Select balls"), tr("Selects these balls and nothing else"),
-             [this](const QStringList& words) {
-               const auto balls = document_.inputs().get(balls_input);
-               return Selection_3{{}, indices_of(words, balls ? balls->size() : 0, QStringLiteral("select-balls"))};
-             });
+  commands_->add(selection_command(
+      QStringLiteral("select-points"), tr("Select points"), tr("Selects these points and nothing else"),
+      [this] {
+        const auto points = document_.inputs().get(cloud_input);
+        return points ? points->size() : 0;
+      },
+      [this](std::vector<std::size_t> indices) { editor_->select(Selection_3{std::move(indices)}); }));
+  commands_->add(selection_command(
+      QStringLiteral("select-balls"), tr("Select balls"), tr("Selects these balls and nothing else"),
+      [this] {
+        const auto balls = document_.inputs().get(balls_input);
+        return balls ? balls->size() : 0;
+      },
+      [this](std::vector<std::size_t> indices) {
+        editor_->select(Selection_3{{}, std::move(indices)});
+      }));
   const auto expect_selection = [this](const QString& id) {
     if (editor_->selection().is_empty()) throw Command_error(tr("%1: nothing is selected").arg(id));
   };
@@ -133,7 +102,7 @@ void Main_window_3::make_selection_commands() {
                   tr("Move the selection"),
                   tr("Moves what is selected"),
                   group,
-                  {coordinate("DX"), coordinate("DY"), coordinate("DZ")},
+                  {coordinate_parameter("DX"), coordinate_parameter("DY"), coordinate_parameter("DZ")},
                   [this, expect_selection](const Arguments& arguments) {
                     expect_selection(QStringLiteral("move"));
                     editor_->nudge({arguments.number(0), arguments.number(1), arguments.number(2)});
@@ -172,22 +141,13 @@ void Main_window_3::make_view_commands() {
                     if (!viewer_) throw Command_error(tr("save-view: nothing is seen without OpenGL"));
                     write_file(arguments.word(0).toStdString(), [&](std::ostream& stream) { stream << view_text(); });
                   }});
-  commands_->add(
-      {QStringLiteral("export-picture"),
-       tr("Export a picture"),
-       tr("Writes what is in view, by the extension"),
-       tr("File"),
-       {{QStringLiteral("FILE"), tr("where to")},
-        {QStringLiteral("WxH"), tr("in pixels; that of the canvas if there is none"), Kind::size, Count::optional},
-        {QStringLiteral("transparent"), tr("without a background"), Kind::flag}},
-       [this](const Arguments& arguments) {
-         const QSize usual = (QSizeF(canvas_->size()) * canvas_->devicePixelRatioF()).toSize();
-         const auto [width, height] = arguments.has(1) ? arguments.size(1) : std::pair(usual.width(), usual.height());
-         Scene scene = computation_.scene(background());
-         scene.transparent_background = arguments.has(2);
-         files_->export_picture(arguments.word(0), {std::move(scene), {}, seen_view()}, QSize(width, height));
-       },
-       true});
+  // Of where a flight ends, so that a script need not wait for it.
+  commands_->add(picture_command([this] { return (QSizeF(canvas_->size()) * canvas_->devicePixelRatioF()).toSize(); },
+                                 [this](const QString& file, const QSize& size, bool is_transparent) {
+                                   Scene scene = computation_.scene(background());
+                                   scene.transparent_background = is_transparent;
+                                   files_->export_picture(file, {std::move(scene), {}, seen_view()}, size);
+                                 }));
 }
 
 View_3 Main_window_3::seen_view() const {

@@ -226,6 +226,13 @@ void paint_swatch(QPainter& painter, const QRectF& rectangle, const Style& style
   painter.restore();
 }
 
+void paint_plate(QPainter& painter, const QRectF& rectangle, const QPalette& palette) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(palette.color(QPalette::Mid));
+  painter.setBrush(palette.color(QPalette::Window));
+  painter.drawRect(rectangle.adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
 QIcon painted_icon(std::function<void(QPainter&, const QRectF&, const QColor&)> paint) {
   return QIcon(new Painted_icon_engine(std::move(paint)));
 }

@@ -44,6 +44,9 @@ void paint_gradient(QPainter& painter, const QRectF& rectangle, const std::strin
 /// The colour of a layer or its colour map, framed, to be seen on any background.
 void paint_swatch(QPainter& painter, const QRectF& rectangle, const Style& style, const QPalette& palette);
 
+/// The ground of a widget that lies over others, framed.
+void paint_plate(QPainter& painter, const QRectF& rectangle, const QPalette& palette);
+
 /// An icon drawn anew at each size and scale in the application palette's text colour.
 QIcon painted_icon(std::function<void(QPainter&, const QRectF&, const QColor&)> paint);
 QIcon color_map_icon(const std::string& color_map, bool is_reversed);

@@ -291,10 +291,7 @@ bool Command_palette::eventFilter(QObject* watched, QEvent* event) {
 
 void Command_palette::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(palette().color(QPalette::Mid));
-  painter.setBrush(palette().color(QPalette::Window));
-  painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  paint_plate(painter, rect(), palette());
 }
 
 }  // namespace mesecina

@@ -9,6 +9,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "layers/panel_paint.h"
+
 namespace mesecina {
 
 Popover::Popover(const QString& title, QWidget* over)
@@ -76,10 +78,7 @@ void Popover::keyPressEvent(QKeyEvent* event) {
 
 void Popover::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(palette().color(QPalette::Mid));
-  painter.setBrush(palette().color(QPalette::Window));
-  painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  paint_plate(painter, rect(), palette());
 }
 
 }  // namespace mesecina
