@@ -231,6 +231,15 @@ void read_view(Session& session, const Json& json) {
   session.height = (*size)[1].get<double>();
 }
 
+std::optional<Session::Bundle_name> bundle_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const Json name = json.is_object() ? json.value("name", Json()) : Json();
+  if (!name.is_string()) refuse_json(json, "bundle", "an object with the \"name\" of a bundle");
+  const Json changed = json.value("changed", Json(false));
+  if (!changed.is_boolean()) refuse_json(changed, "bundle.changed", "true or false");
+  return Session::Bundle_name{name.get<std::string>(), changed.get<bool>()};
+}
+
 }  // namespace
 
 std::optional<View_2> view_for(const Session& session, double width, double height) {
@@ -259,6 +268,9 @@ std::string to_json(const Session& session, const Input_text& input_text) {
   append_member(text, "settings", dumped(settings_to_json(session.settings, parts.settings)));
   append_member(text, "layers", dumped(layers_to_json(session.layers, parts.layers)));
   if (const Json view = view_of(session); !view.is_null()) append_member(text, "view", dumped(view));
+  if (session.bundle)
+    append_member(text, "bundle", dumped({{"name", session.bundle->name}, {"changed", session.bundle->is_changed}}));
+  if (session.film) append_member(text, "recording", dumped(film_wish_to_json(*session.film, session.unknown.film)));
   for (const auto& [name, json] : session.unknown.members) append_member(text, name, dumped(Json::parse(json)));
   Written written;
   std::string inputs = inputs_text(session.inputs, input_text, "\"inputs\"", written);
@@ -290,6 +302,9 @@ Session parse_session(std::string_view text, const Registry& registry, const Inp
   if (const Json layers = take(json, "layers"); !layers.is_null())
     session.layers = layers_from_json(layers, registry, "layers", unknown);
   read_view(session, take(json, "view"));
+  session.bundle = bundle_of(take(json, "bundle"));
+  if (const Json film = take(json, "recording"); !film.is_null())
+    session.film = film_wish_from_json(film, registry, "recording", session.unknown.film, unknown.notes);
   const Known_inputs none = [](const Json& reference, const std::string& where) -> const Inputs& {
     refuse_json(reference, where, "an input itself");
   };

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/film_wish.h"
 #include "core/formats/scene_json.h"
 #include "core/inputs.h"
 #include "core/registry.h"
@@ -36,6 +37,14 @@ struct Session {
   double height = 0;
   std::optional<View_3> view_3;
   std::vector<Camera_3> camera_path;
+  /// The bundle that was shown last.
+  struct Bundle_name {
+    std::string name;
+    bool is_changed = false;  ///< layers, looks or settings are not as it has them
+    bool operator==(const Bundle_name&) const = default;
+  };
+  std::optional<Bundle_name> bundle;
+  std::optional<Film_wish> film;  ///< that was to be recorded next
   /// What evolutions went through, from where the first one began; none for data that no evolution has changed.
   struct Step {
     Inputs inputs;
@@ -51,6 +60,7 @@ struct Session {
     Unknown_parts parts;                         ///< with the notes of reading, one line each
     std::map<std::string, std::string> inputs;   ///< by id, as JSON
     std::map<std::string, std::string> members;  ///< of the whole, by name, as JSON
+    Film_wish::Unknown film;
   };
   Unknown unknown;
 };

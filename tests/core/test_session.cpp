@@ -91,6 +91,15 @@ Session full_session() {
   session.view_2 = View_2{{0.1, -1e-17}, 1e9 / 7};
   session.width = 800.5;
   session.height = 600;
+  session.bundle = Session::Bundle_name{"My \"bundle\"", true};
+  session.film = Film_wish{Film_wish::Source::animation,
+                           "/films/a b.webm",
+                           641,
+                           481,
+                           0.1 + 0.2,
+                           true,
+                           {{"factor", 0.1, 1.0 / 3, 7, Sweep::Easing::smooth, true}, {"steps", 1, 9, 5}},
+                           77};
   return session;
 }
 
@@ -117,6 +126,8 @@ TEST(Session_test, plane_reads_back_to_the_last_bit) {
   EXPECT_TRUE(std::signbit(*back.layers[0].style.range_minimum));
   EXPECT_EQ(back.view_2, session.view_2);
   EXPECT_EQ(back.width, session.width);
+  EXPECT_EQ(back.bundle, session.bundle);
+  EXPECT_EQ(back.film, session.film);
   const auto points = back.inputs.get(points_input);
   const auto disks = back.inputs.get(disks_input);
   ASSERT_EQ(points->size(), std::size(nasty));
@@ -170,13 +181,43 @@ TEST(Session_test, what_is_unknown_is_kept) {
   json["inputs"]["surfaces"] = {1, 2, 3};
   json["layers"].push_back({{"id", "later-layer"}, {"visible", true}, {"style", {{"glow", 3}}}});
   json["music"] = {{"loud", true}};
+  json["recording"]["sound"] = "waves";
+  json["recording"]["sweeps"].push_back("later=1:2:3");
   const Session read = parse_session(json.dump(), registry);
-  EXPECT_THAT(read.unknown.parts.notes, testing::SizeIs(4));
+  EXPECT_THAT(read.unknown.parts.notes, testing::SizeIs(6));
+  EXPECT_THAT(read.unknown.parts.notes, testing::Contains(HasSubstr("recording.sweeps: ")));
+  EXPECT_EQ(read.film, full_session().film);
   EXPECT_THAT(read.unknown.parts.notes, testing::Contains(HasSubstr("later-layer")));
   EXPECT_EQ(read.layers.size(), 2u);
   const auto again = nlohmann::json::parse(to_json(read));
   EXPECT_EQ(again, json);
   EXPECT_EQ(to_json(parse_session(again.dump(), registry)), to_json(read));
+}
+
+TEST(Session_test, files_of_earlier_versions_read_without_bundle_and_film) {
+  const Registry registry = registry_of(2);
+  auto json = nlohmann::json::parse(to_json(full_session()));
+  json.erase("bundle");
+  json.erase("recording");
+  const Session read = parse_session(json.dump(), registry);
+  EXPECT_THAT(read.unknown.parts.notes, IsEmpty());
+  EXPECT_EQ(read.bundle, std::nullopt);
+  EXPECT_EQ(read.film, std::nullopt);
+  EXPECT_EQ(nlohmann::json::parse(to_json(read)), json);
+}
+
+TEST(Session_test, a_film_that_says_little_is_as_usual) {
+  const Registry registry = registry_of(2);
+  auto json = nlohmann::json::parse(to_json(full_session()));
+  json["recording"] = {{"file", "x.mp4"}};
+  Film_wish usual;
+  usual.file = "x.mp4";
+  EXPECT_EQ(parse_session(json.dump(), registry).film, usual);
+  json["recording"] = {{"source", "dreams"}, {"turntable", 5}};
+  const Session read = parse_session(json.dump(), registry);
+  EXPECT_THAT(read.unknown.parts.notes, ElementsAre(HasSubstr("cannot record 'dreams'")));
+  EXPECT_EQ(read.film->source, Film_wish::Source::changes);
+  EXPECT_EQ(read.film->turntable, 5);
 }
 
 TEST(Session_test, inputs_of_other_names_are_written_by_their_type) {
@@ -271,6 +312,15 @@ TEST(Session_test, wrong_parts_are_refused_with_their_place) {
   EXPECT_THAT(with("/layers/0/style/opacity", 2), HasSubstr("layers[0].style.opacity: expected a number from 0 to 1"));
   EXPECT_THAT(with("/layers/1/id", "axis"), HasSubstr("layers[1].id: expected each layer once"));
   EXPECT_THAT(with("/view/scale", 0), HasSubstr("view.scale: expected a positive number"));
+  EXPECT_THAT(with("/bundle/name", 3), HasSubstr("bundle: expected an object with the \"name\""));
+  EXPECT_THAT(with("/bundle/changed", 3), HasSubstr("bundle.changed: expected true or false"));
+  EXPECT_THAT(with("/recording", 3), HasSubstr("recording: expected an object"));
+  EXPECT_THAT(with("/recording/size/0", 0), HasSubstr("recording.size[0]: expected a whole number from 1 to 32768"));
+  EXPECT_THAT(with("/recording/size", {1, 2, 3}), HasSubstr("recording.size: expected a width and a height"));
+  EXPECT_THAT(with("/recording/frames-per-second", 0), HasSubstr("frames-per-second: expected a positive number"));
+  EXPECT_THAT(with("/recording/turntable", 0), HasSubstr("recording.turntable: expected a whole number from 1"));
+  EXPECT_THAT(with("/recording/sweeps/0", 3), HasSubstr("recording.sweeps: expected sweeps"));
+  EXPECT_THAT(with("/recording/transparent", 3), HasSubstr("recording.transparent: expected true or false"));
   EXPECT_THAT(with("/inputs/points", {{"file", "x"}}), HasSubstr("2 per element, found an object"));
 }
 
