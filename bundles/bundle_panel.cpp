@@ -19,6 +19,7 @@ namespace {
 
 constexpr int help_role = Qt::UserRole;
 constexpr int shown_role = Qt::UserRole + 1;
+constexpr int changed_role = Qt::UserRole + 2;
 constexpr int keys = 9;
 constexpr int long_list = 12;
 
@@ -61,10 +62,13 @@ class Bundle_delegate : public QStyledItemDelegate {
     name_font.setBold(is_shown);
     painter->setFont(name_font);
     painter->setPen(palette.color(QPalette::Text));
-    painter->drawText(QRect(text.left(), text.top(), text.width(), em), Qt::AlignLeft | Qt::AlignVCenter,
-                      QFontMetrics(name_font).elidedText(index.data().toString(), Qt::ElideRight, text.width()));
+    const QString mark = index.data(changed_role).toBool() ? Bundle_panel::tr("changed") : QString();
+    const int room = mark.isEmpty() ? text.width() : text.width() - small_metrics.horizontalAdvance(mark) - em / 2;
+    const QString name = QFontMetrics(name_font).elidedText(index.data().toString(), Qt::ElideRight, room);
+    painter->drawText(QRect(text.left(), text.top(), room, em), Qt::AlignLeft | Qt::AlignVCenter, name);
     painter->setFont(small_font);
     painter->setPen(subdued_text(palette));
+    painter->drawText(QRect(text.left(), text.top(), text.width(), em), Qt::AlignRight | Qt::AlignVCenter, mark);
     painter->drawText(QRect(text.left(), text.top() + em, text.width(), small_metrics.height()),
                       Qt::AlignLeft | Qt::AlignVCenter,
                       small_metrics.elidedText(index.data(help_role).toString(), Qt::ElideRight, text.width()));
@@ -153,9 +157,16 @@ void Bundle_panel::set_bundles(const std::vector<Bundle>& bundles) {
   select(std::min(row, list_->count() - 1));
 }
 
-void Bundle_panel::set_shown(int row) {
+void Bundle_panel::set_shown(int row, bool is_changed) {
   is_filling_ = true;
-  for (int i = 0; i < list_->count(); ++i) list_->item(i)->setData(shown_role, i == row);
+  for (int i = 0; i < list_->count(); ++i) {
+    QListWidgetItem* item = list_->item(i);
+    const bool has_changes = i == row && is_changed;
+    item->setData(shown_role, i == row);
+    item->setData(changed_role, has_changes);
+    const QString help = item->data(help_role).toString();
+    item->setData(Qt::AccessibleDescriptionRole, has_changes ? tr("Shown, and changed since. %1").arg(help) : help);
+  }
   is_filling_ = false;
 }
 

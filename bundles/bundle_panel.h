@@ -22,8 +22,8 @@ class Bundle_panel : public QWidget {
   explicit Bundle_panel(QWidget* parent = nullptr);
 
   void set_bundles(const std::vector<Bundle>& bundles);
-  /// Marks the row whose bundle is on screen; -1 for none.
-  void set_shown(int row);
+  /// Marks the row whose bundle is on screen, or was until something of it was changed; -1 for none.
+  void set_shown(int row, bool is_changed = false);
   /// In a menu beside the filter, and where a bundle is clicked with the right button.
   void set_menu_actions(const QList<QAction*>& list_actions, const QList<QAction*>& bundle_actions);
 

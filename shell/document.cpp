@@ -100,7 +100,10 @@ void Document::edit(Document_state after, const QString& text, const QString& me
   const bool is_same = after.inputs == state_.inputs && after.settings == state_.settings &&
                        after.layers == state_.layers && after.track == state_.track &&
                        after.position == state_.position;
-  if (is_same) return;
+  if (is_same) {
+    name_bundle(after.bundle);
+    return;
+  }
   const bool is_here = after.track && after.track == state_.track && after.position == state_.position;
   if (is_here && (!(after.inputs == state_.inputs) || concerns(*after.track, state_.settings, after.settings))) {
     after.track = branched(*after.track, after.position, after.inputs, after.settings);
@@ -163,6 +166,12 @@ void Document::edit_layers(Layer_list layers, const QString& text, const QString
   edit(std::move(after), text, merge);
 }
 
+void Document::name_bundle(const std::string& name) {
+  if (name == state_.bundle) return;
+  state_.bundle = name;
+  Q_EMIT changed({});
+}
+
 void Document::mark_saved(const std::vector<std::string>& input_ids) {
   Inputs saved = state_.inputs;
   const auto keep = [&](auto key) {
@@ -203,8 +212,9 @@ void Document::apply(const Document_state& state) {
   const Document_change change{!(state.inputs == state_.inputs), !(state.settings == state_.settings),
                                !(state.layers == state_.layers),
                                state.track != state_.track || state.position != state_.position};
+  const bool is_named = state.bundle != state_.bundle;
   state_ = state;
-  if (change.inputs || change.settings || change.layers || change.track) Q_EMIT changed(change);
+  if (change.inputs || change.settings || change.layers || change.track || is_named) Q_EMIT changed(change);
   tell_modified();
 }
 

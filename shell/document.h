@@ -25,6 +25,7 @@ struct Document_state {
   Layer_list layers;
   Track_pointer track = nullptr;  ///< null: no evolution has made a step
   std::size_t position = 0;       ///< the place of the track that inputs and settings are those of
+  std::string bundle = {};        ///< name of the one that was shown or kept last; empty for none
 };
 
 /// Which parts differ from what they were.
@@ -67,6 +68,9 @@ class Document : public QObject {
   void replace_inputs(Inputs inputs, const QString& text);
   void edit_settings(Settings settings, const QString& text, const QString& merge = {});
   void edit_layers(Layer_list layers, const QString& text, const QString& merge = {});
+
+  /// Says that what is shown was kept as the bundle of this name, or that its bundle is called so now. No step of undo.
+  void name_bundle(const std::string& name);
 
   /// One more place after the place `position` of the track, made of `before` by one step of the evolution; places that
   /// were after it go. Steps of an evolution that follow each other are one step of undo ("Smoothing: 12 steps").

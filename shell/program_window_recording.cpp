@@ -107,6 +107,7 @@ void Program_window::make_recording() {
   record_dock_->hide();
   statusBar()->insertPermanentWidget(1, recording_->indicator());
   recording_->indicator()->hide();
+  connect(recording_, &Window_recording::wish_changed, this, [this] { touch_scene(); });
   connect(settings_panel_, &Settings_panel::animate_requested, this,
           [this](const QString& setting, double from, double to) { open_animation(setting.toStdString(), from, to); });
   connect(recording_, &Window_recording::active_changed, this, [this](bool is_active) {

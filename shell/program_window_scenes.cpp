@@ -24,6 +24,8 @@ Session Program_window::session() const {
   session.file = common_files_->current_file().toStdString();
   session.is_modified = document_.is_modified();
   session.unknown = unknown_;
+  session.bundle = bundles_->in_force();
+  if (recording_) session.film = recording_->wish();
   add_view(session);
   return session;
 }
@@ -33,7 +35,7 @@ void Program_window::make_session_actions() {
   actions_->add(group,
                 {QStringLiteral("save-session"),
                  tr("Save s&ession as…"),
-                 tr("Save everything into one file: data, layers, settings, view"),
+                 tr("Save everything into one file: data, layers, settings, view, steps, what is recorded"),
                  {QKeySequence(Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_S)}},
                 [this] { common_files_->save_session_as(); });
   const auto add_habit = [&](QLatin1String key, const QString& text, const QString& tip, std::function<void()> run) {
@@ -110,6 +112,7 @@ void Program_window::touch_scene() {
 void Program_window::show_session(const Session& session) {
   unknown_ = session.unknown;
   show_view(session);
+  if (session.film && recording_) recording_->show(*session.film);
   touch_scene();
 }
 

@@ -91,6 +91,7 @@ Record_panel::Record_panel(int dimension, QWidget* parent)
     connect(box, &QSpinBox::valueChanged, this, [this] { Q_EMIT edited(); });
   connect(rate_, &Number_field::edited, this, [this] { Q_EMIT edited(); });
   connect(is_transparent_, &QCheckBox::toggled, this, [this] { Q_EMIT edited(); });
+  connect(file_, &QLineEdit::textChanged, this, [this] { Q_EMIT edited(); });
   connect(record_, &QPushButton::clicked, this, [this] {
     if (state_.is_recording) {
       Q_EMIT stop_requested();
@@ -154,6 +155,8 @@ void Record_panel::set_source(Source source) {
 }
 
 int Record_panel::turntable_frames() const { return turn_frames_->value(); }
+
+void Record_panel::set_turntable_frames(int frames) { turn_frames_->setValue(frames); }
 
 Film_request Record_panel::request() const {
   Film_request request;

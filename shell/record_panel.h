@@ -4,6 +4,7 @@
 #include <QString>
 #include <QWidget>
 
+#include "core/film_wish.h"
 #include "core/formats/film.h"
 
 class QCheckBox;
@@ -22,7 +23,7 @@ class Number_field;
 class Record_panel : public QWidget {
   Q_OBJECT
  public:
-  enum class Source { changes, animation, evolution, turntable };
+  using Source = Film_wish::Source;
   /// What is going on, for the buttons and the line below them.
   struct State {
     bool is_recording = false;
@@ -39,6 +40,7 @@ class Record_panel : public QWidget {
   void set_source(Source source);
   /// Frames of one turn.
   int turntable_frames() const;
+  void set_turntable_frames(int frames);
   /// File, size, rate, background; not the colour of the background.
   Film_request request() const;
   void set_file(const QString& file);
@@ -60,7 +62,7 @@ class Record_panel : public QWidget {
   void file_requested();
   /// As large as the picture in the window.
   void window_size_requested();
-  /// What is to be remembered.
+  /// Something of source(), turntable_frames() and request().
   void edited();
 
  private:

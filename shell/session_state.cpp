@@ -5,6 +5,7 @@ namespace mesecina {
 
 Document_state state_of(const Session& session, const Registry& registry) {
   Document_state state{session.inputs, session.settings, with_missing_layers(session.layers, registry)};
+  if (session.bundle) state.bundle = session.bundle->name;
   if (session.steps.empty()) return state;
   auto track = std::make_shared<Evolution_track>();
   track->read.insert(session.step_settings.begin(), session.step_settings.end());

@@ -45,7 +45,8 @@ Window_bundles::Window_bundles(std::shared_ptr<const Registry> registry, Documen
   connect(&store_, &Bundle_store::failed, this,
           [this](const QString& text) { messages_.add(Message_bar::Kind::error, text); });
   connect(&document_, &Document::changed, this, [this](const Document_change& change) {
-    if (change.settings || change.layers) mark_shown();
+    const bool is_elsewhere = change.inputs || change.track;
+    if (change.settings || change.layers || !is_elsewhere) mark_shown();
   });
   connect(panel_, &Bundle_panel::chosen, this, &Window_bundles::apply);
   // The panel is in the midst of its own change when it tells of these.
@@ -130,6 +131,7 @@ void Window_bundles::apply(int row) {
   Arrangement arrangement = apply_bundle(bundle, *registry_, {state.settings, state.layers});
   state.settings = std::move(arrangement.settings);
   state.layers = std::move(arrangement.layers);
+  state.bundle = bundle.name;
   document_.edit(std::move(state), tr("Bundle '%1'").arg(name_of(bundle)));
   if (show_view_ && (bundle.view || bundle.view_3)) show_view_(bundle);
   for (const std::string& note : bundle.unknown.notes)
@@ -146,8 +148,10 @@ void Window_bundles::save_as_new(bool with_view) {
   Bundle bundle = current(QString::fromStdString(free_name(store_.bundles(), tr("My bundle").toStdString())));
   if (with_view && read_view_) read_view_(bundle);
   std::vector<Bundle> bundles = store_.bundles();
+  const std::string name = bundle.name;
   bundles.push_back(std::move(bundle));
   store_.edit(std::move(bundles), tr("Save bundle"));
+  document_.name_bundle(name);
   if (dock_) {
     dock_->show();
     dock_->raise();
@@ -178,7 +182,11 @@ void Window_bundles::rename(int row, const QString& name) {
   change(row, tr("Rename bundle"), [&](std::vector<Bundle>& bundles) {
     std::vector<Bundle> others = bundles;
     others.erase(others.begin() + row);
-    if (!wanted.empty()) bundles[static_cast<std::size_t>(row)].name = free_name(others, wanted);
+    if (wanted.empty()) return;
+    std::string& own_name = bundles[static_cast<std::size_t>(row)].name;
+    const bool is_in_force = own_name == document_.state().bundle;
+    own_name = free_name(others, wanted);
+    if (is_in_force) document_.name_bundle(own_name);
   });
   show_list();
 }
@@ -218,12 +226,25 @@ void Window_bundles::show_list() {
   mark_shown();
 }
 
-void Window_bundles::mark_shown() {
+std::optional<Session::Bundle_name> Window_bundles::in_force() const {
   const Arrangement shown{document_.settings(), document_.layers()};
+  const std::string& last = document_.state().bundle;
+  std::optional<Session::Bundle_name> name;
+  if (!last.empty()) name = {last, true};
+  for (const Bundle& bundle : store_.bundles()) {
+    // Of several that are alike it is the one that was chosen.
+    const bool is_candidate = bundle.name == last || !name || name->is_changed;
+    if (is_candidate && apply_bundle(bundle, *registry_, shown) == shown) name = {bundle.name, false};
+  }
+  return name;
+}
+
+void Window_bundles::mark_shown() {
+  const auto now = in_force();
   const auto& bundles = store_.bundles();
-  const auto found = std::ranges::find_if(
-      bundles, [&](const Bundle& bundle) { return apply_bundle(bundle, *registry_, shown) == shown; });
-  panel_->set_shown(found == bundles.end() ? -1 : static_cast<int>(found - bundles.begin()));
+  const auto found = std::ranges::find(bundles, now ? now->name : std::string(), &Bundle::name);
+  const bool is_listed = now && found != bundles.end();
+  panel_->set_shown(is_listed ? static_cast<int>(found - bundles.begin()) : -1, is_listed && now->is_changed);
 }
 
 }  // namespace mesecina

@@ -5,8 +5,10 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/bundle.h"
+#include "core/session.h"
 #include "shell/bundle_store.h"
 
 class QDockWidget;
@@ -35,6 +37,9 @@ class Window_bundles : public QObject {
   /// `dock` is shown when a name is to be typed. `files` asks for names of files.
   void make_actions(Actions& actions, QDockWidget* dock, Files* files);
 
+  /// The bundle that layers, looks and settings are those of; or, where they are those of none, the one that was shown
+  /// or kept last.
+  std::optional<Session::Bundle_name> in_force() const;
   /// Does nothing for a row that is not there.
   void apply(int row);
   void save_as_new(bool with_view);

@@ -94,6 +94,7 @@ Window_recording::Window_recording(std::shared_ptr<const Registry> registry, std
   connect(panel_, &Record_panel::window_size_requested, this, [this] { panel_->set_size(window_.size()); });
   restore();
   connect(panel_, &Record_panel::edited, this, &Window_recording::store);
+  connect(panel_, &Record_panel::edited, this, &Window_recording::wish_changed);
 }
 
 QWidget* Window_recording::indicator() const { return indicator_; }
@@ -115,6 +116,36 @@ void Window_recording::store() {
   known.set_value(QStringLiteral("record/transparent"), request.is_transparent);
 }
 
+Film_wish Window_recording::wish() const {
+  const Film_request request = panel_->request();
+  Film_wish wish{panel_->source(),
+                 request.file.string(),
+                 request.width,
+                 request.height,
+                 request.frames_per_second,
+                 request.is_transparent,
+                 {},
+                 panel_->turntable_frames()};
+  if (const auto known = sweeps_.find(last_sweep_); known != sweeps_.end()) wish.sweeps.push_back(known->second);
+  return wish;
+}
+
+void Window_recording::show(const Film_wish& wish) {
+  {
+    // Whoever opens a session does not choose its films for all that follow.
+    const QSignalBlocker quiet(panel_);
+    for (const Sweep& sweep : wish.sweeps) remember(sweep);
+    panel_->set_source(wish.source);
+    panel_->set_turntable_frames(wish.turntable);
+    panel_->set_size({wish.width, wish.height});
+    panel_->set_frames_per_second(wish.frames_per_second);
+    panel_->set_transparent(wish.is_transparent);
+    const QString file = QString::fromStdString(wish.file);
+    panel_->set_file(file.contains(QLatin1Char('%')) || file.isEmpty() ? file : free_name(file));
+  }
+  Q_EMIT wish_changed();
+}
+
 Sweep Window_recording::sweep(const std::string& setting, double from, double to) const {
   const auto known = sweeps_.find(setting);
   return known == sweeps_.end() ? Sweep{setting, from, to, 100, Sweep::Easing::linear, false} : known->second;
@@ -129,6 +160,7 @@ void Window_recording::remember(const Sweep& sweep) {
                                  .arg(sweep.from)
                                  .arg(sweep.to)
                                  .arg(sweep.frames()));
+  Q_EMIT wish_changed();
 }
 
 void Window_recording::play(const Sweep& sweep) {

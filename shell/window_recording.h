@@ -46,6 +46,11 @@ class Window_recording : public QObject {
   /// A red dot with the number of frames, while it records; for the status bar.
   QWidget* indicator() const;
 
+  /// What the panel says, and what is animated.
+  Film_wish wish() const;
+  /// Shows it in the panel. A file that is there already is not proposed again, but the next free name.
+  void show(const Film_wish& wish);
+
   /// How the setting moved last; else over what its slider shows.
   Sweep sweep(const std::string& setting, double from, double to) const;
   void remember(const Sweep& sweep);
@@ -65,6 +70,8 @@ class Window_recording : public QObject {
   void note_change();
 
  Q_SIGNALS:
+  /// Something of wish().
+  void wish_changed();
   /// Whether it records, or has a film to complete.
   void active_changed(bool is_active);
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -191,18 +192,38 @@ struct Recording_words {
   double frames_per_second = 30;
   int turntable = 0;
   int flight = 0;
+  bool has_session_steps = false;
+
+  bool moves() const { return !sweeps.empty() || turntable > 0 || flight > 0 || has_session_steps; }
 };
+
+/// What the session says of films, where the command line says nothing. `is_given` knows options.
+void complete_by_session(Recording_words& words, Command_line& line, std::string& size,
+                         const std::function<bool(const char*)>& is_given) {
+  if (words.file.empty() || !line.session || !line.session->film) return;
+  const Film_wish& wish = *line.session->film;
+  if (!is_given("--fps")) words.frames_per_second = wish.frames_per_second;
+  if (!is_given("--size")) size = std::to_string(wish.width) + "x" + std::to_string(wish.height);
+  line.transparent_background = line.transparent_background || wish.is_transparent;
+  if (words.moves() || is_given("--evolve")) return;
+  if (wish.source == Film_wish::Source::turntable) words.turntable = wish.turntable;
+  if (wish.source == Film_wish::Source::animation)
+    for (const Sweep& sweep : wish.sweeps) words.sweeps.push_back(to_text(sweep));
+  // Steps belong to the data that they were made of.
+  const bool has_its_data = line.files == std::vector{*line.session_file};
+  words.has_session_steps =
+      wish.source == Film_wish::Source::evolution && has_its_data && line.session->steps.size() > 1;
+}
 
 std::optional<Recording> read_recording(const Recording_words& words, const Command_line& line,
                                         const Registry& registry, const Formats& formats) {
-  const bool moves = !words.sweeps.empty() || words.turntable > 0 || words.flight > 0;
   if (words.file.empty()) {
-    if (moves) throw Usage_error("--sweep, --turntable and --camera-path are for films: add --record FILE");
+    if (words.moves()) throw Usage_error("--sweep, --turntable and --camera-path are for films: add --record FILE");
     return std::nullopt;
   }
   if (!line.nogui) throw Usage_error("--record needs --nogui; in the window, recording is in the menu File");
   if (!formats.make_film) throw Usage_error("--record: this was built without pictures");
-  if (!moves && line.evolutions.empty())
+  if (!words.moves() && line.evolutions.empty())
     throw Usage_error("--record " + words.file + ": nothing moves; add --sweep ID=FROM:TO:STEPS, --evolve ID=STEPS" +
                       (registry.dimension() == 3 ? ", --turntable FRAMES or --camera-path FRAMES" : ""));
   Recording recording;
@@ -210,6 +231,7 @@ std::optional<Recording> read_recording(const Recording_words& words, const Comm
   recording.frames_per_second = words.frames_per_second;
   recording.turntable = words.turntable;
   recording.flight = words.flight;
+  recording.has_session_steps = words.has_session_steps;
   for (const std::string& sweep : words.sweeps) {
     try {
       recording.sweeps.push_back(parse_sweep(registry, sweep));
@@ -325,7 +347,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("FILE", files, "Points, outlines or pictures to read (--list formats)");
   app.add_option("--session", session,
                  "A session, or a picture with one within: its data where no FILE is given, its layers, styles, "
-                 "settings and view; other options come after it and win");
+                 "settings and view and, with --record, what it records; other options come after it and win");
   app.add_flag("--nogui", result.nogui, "Compute and write, open no window; needs no display");
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')
@@ -430,6 +452,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     result.evolutions = read_evolutions(evolutions, registry);
     result.styles = read_styles(result.style_changes, registry, color_maps, result.styles);
     if (result.as_listed && result.layers.empty() && !result.session) throw Usage_error("--as-listed needs --layers");
+    complete_by_session(recording, result, size,
+                        [&](const char* option) { return app.get_option_no_throw(option) && app.count(option) > 0; });
     std::tie(result.width, result.height) = read_size(size);
     if (result.session && app.count("--view") == 0) {
       result.view = view_for(*result.session, result.width, result.height);

@@ -31,6 +31,18 @@ std::string layer_suffix(const std::string& layer, const std::string& extension)
 }
 std::string picture_suffix(const std::string& extension) { return "." + extension; }
 
+/// What the steps of a session are, seen with these settings: those that steps change are as they were.
+std::vector<Evolution_state> states_of(const Session& session, const Settings& settings) {
+  std::vector<Evolution_state> states;
+  for (const Session::Step& step : session.steps) {
+    Evolution_state state{step.inputs, settings};
+    for (const auto& [id, value] : step.settings)
+      state.settings = value ? state.settings.with(id, *value) : state.settings.without(id);
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
 }  // namespace
 
 Input_runner::Input_runner(const Command_line& command_line, std::shared_ptr<const Registry> registry,
@@ -63,8 +75,12 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
   json["as-listed"] = command_line_.as_listed;
   json["seed"] = command_line_.seed;
   if (const auto& recording = command_line_.recording) {
-    json["film"] = {fs::absolute(recording->file, error).string(), recording->frames_per_second, recording->turntable,
-                    recording->flight, to_json({}, recording->camera_path)};
+    json["film"] = {fs::absolute(recording->file, error).string(),
+                    recording->frames_per_second,
+                    recording->turntable,
+                    recording->flight,
+                    recording->has_session_steps,
+                    to_json({}, recording->camera_path)};
     for (const Sweep& sweep : recording->sweeps) json["sweeps"].push_back(to_text(sweep));
   }
   // The name of a file need not be UTF-8.
@@ -226,6 +242,8 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, const 
     if (uses_folder()) folder_.begin(file);
     Evolution_state state{std::move(contents.inputs), command_line_.settings};
     std::vector<Evolution_state> states{state};
+    if (command_line_.recording && command_line_.recording->has_session_steps && contents.session)
+      states = states_of(*contents.session, state.settings);
     if (!command_line_.evolutions.empty())
       state = evolved(std::move(state), progress, statistics, [&](const Evolution_state& step) {
         if (command_line_.recording) states.push_back(step);

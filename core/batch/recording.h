@@ -18,6 +18,7 @@ struct Recording {
   int turntable = 0;                  ///< frames of one turn of the camera; 0: it does not turn
   int flight = 0;                     ///< frames of the way through `camera_path`; 0: none
   std::vector<Camera_3> camera_path;  ///< key frames
+  bool has_session_steps = false;     ///< the film goes through the steps that the session has
 };
 
 /// The name of the film of one input: `file` itself if it is the only input, else with the stem of the input before its

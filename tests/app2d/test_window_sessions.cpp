@@ -2,12 +2,14 @@
 #include <signal.h>
 
 #include <QFile>
+#include <QListWidget>
 #include <QProcess>
 #include <QPushButton>
 #include <QTimer>
 #include <QtTest>
 #include <iostream>
 
+#include "bundles/bundle_panel.h"
 #include "core/session_formats.h"
 #include "geometries/modules_2.h"
 #include "window_fixture.h"
@@ -87,6 +89,76 @@ TEST_F(Window_sessions, ASavedSessionBringsEverythingBack) {
   EXPECT_TRUE(document().settings() == before.settings);
   EXPECT_TRUE(document().layers() == before.layers);
   EXPECT_FALSE(window().actions()["undo"]->isEnabled());
+}
+
+TEST_F(Window_sessions, TheBundleInForceIsKnownUntilUndone) {
+  const auto in_force = [&] { return window().bundles().in_force(); };
+  const auto bundle = [&](std::size_t row) { return window().bundles().store().bundles()[row].name; };
+  const auto before = in_force();
+  window().bundles().apply(2);
+  EXPECT_EQ(in_force(), (Session::Bundle_name{bundle(2), false}));
+  document().edit_settings(document().settings().with("scale", 1.7), "scale");
+  Layer_list layers = document().layers();
+  for (Layer_entry& entry : layers) entry.style.opacity = 0.3;
+  document().edit_layers(layers, "opacity");
+  EXPECT_EQ(in_force(), (Session::Bundle_name{bundle(2), true}));
+  const auto* list = window().bundles().panel()->findChild<QListWidget*>("bundle-list");
+  EXPECT_TRUE(list->item(2)->data(Qt::AccessibleDescriptionRole).toString().startsWith("Shown, and changed"));
+
+  const QString path = folder_.filePath("bundle.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  const Session saved = read_session_file(path.toStdString(), *make_registry_2());
+  EXPECT_EQ(saved.bundle, (Session::Bundle_name{bundle(2), true}));
+  trigger("undo");
+  trigger("undo");
+  EXPECT_EQ(in_force(), (Session::Bundle_name{bundle(2), false}));
+  trigger("undo");
+  EXPECT_EQ(in_force(), before);
+  open_window();
+  open(path);
+  EXPECT_EQ(in_force(), saved.bundle);
+  // One that is shown already is in force from then on, without a step.
+  const int steps = document().history().count();
+  window().bundles().apply(2);
+  window().bundles().apply(2);
+  EXPECT_EQ(document().history().count(), steps + 1);
+  // What was just kept as another one is that from then on.
+  window().bundles().save_as_new(false);
+  const std::string kept = window().bundles().store().bundles().back().name;
+  EXPECT_EQ(in_force(), (Session::Bundle_name{kept, false}));
+  document().edit_layers(layers, "opacity");
+  EXPECT_EQ(in_force(), (Session::Bundle_name{kept, true}));
+  QFile::remove(window().bundles().store().file());
+}
+
+TEST_F(Window_sessions, WhatIsToBeRecordedComesBack) {
+  Window_recording* recording = &window().recording();
+  const Sweep sweep{"scale", 1, 1.5, 12, Sweep::Easing::smooth, true};
+  recording->prepare(sweep);
+  recording->panel().set_size({320, 200});
+  recording->panel().set_frames_per_second(12.5);
+  recording->panel().set_transparent(true);
+  recording->panel().set_file(folder_.filePath("film.gif"));
+  const Film_wish wish = recording->wish();
+  EXPECT_EQ(wish.sweeps, std::vector{sweep});
+  const QString path = folder_.filePath("film.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  recording->panel().set_size({640, 480});
+  recording->panel().set_source(Film_wish::Source::evolution);
+
+  open_window();
+  recording = &window().recording();
+  EXPECT_EQ(recording->wish().width, 640);
+  open(path);
+  EXPECT_EQ(recording->wish(), wish);
+  EXPECT_TRUE(recording->panel().findChild<QPushButton*>("record-start")->isEnabled());
+  // What a session brings is not what the user chose for all that follow.
+  open_window();
+  EXPECT_EQ(window().recording().wish().width, 640);
+  // A film that is there already is not written over by one click.
+  ASSERT_TRUE(write("film.gif", "a film").endsWith("film.gif"));
+  open(path);
+  EXPECT_EQ(window().recording().wish().file, folder_.filePath("film-2.gif").toStdString());
 }
 
 TEST_F(Window_sessions, SavingGoesOnInTheFileOfTheSession) {

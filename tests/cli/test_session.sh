@@ -82,3 +82,34 @@ expect_in stderr 'at most 500 lists'
 run --nogui points.xy --session ""
 expect_status 2
 expect_in stderr '--session'
+
+# With --record a film is what the session says, where the command line says nothing.
+film_session() {  # film_session SOURCE
+  jq --arg source "$1" '. + {"bundle": {"name": "Mine", "changed": true}, "recording": {"source": $source, "size": [64, 48],
+    "frames-per-second": 5, "transparent": true, "sweeps": ["lambda-limit=0:9:4"]},
+    "evolution": {"position": 1, "made-by": [], "steps": [
+      {"evolution": "", "number": 0, "settings": {}, "inputs": {"points": [0,0, 100,0, 100,60, 0,60, 20,20]}},
+      {"evolution": "smoothing", "number": 1, "settings": {}, "inputs": {"points": {"same-as": "inputs"}}},
+      {"evolution": "smoothing", "number": 2, "settings": {}, "inputs": {"points": [0,0, 100,0, 100,60, 0,60, 60,40]}}]}}' \
+    scene.mesecina >"$1.mesecina"
+}
+film_session animation
+film_session evolution
+film_session changes
+succeed --nogui --session animation.mesecina --record sweep/%02d.png
+[ "$(ls sweep | wc -l)" -eq 4 ] || fail "expected 4 frames"
+[ "$(head -c 24 sweep/01.png | od -An -tu1 -j16 | tr -s ' ')" = " 0 0 0 64 0 0 0 48" ] || fail "expected 64 x 48 pixels"
+succeed --nogui --session evolution.mesecina --record steps/%02d.png --size 80x60
+[ "$(ls steps | wc -l)" -eq 3 ] || fail "expected 3 frames"
+[ "$(head -c 24 steps/01.png | od -An -tu1 -j16 | tr -s ' ')" = " 0 0 0 80 0 0 0 60" ] || fail "expected 80 x 60 pixels"
+for frame in 01 02 03; do
+  for other in 01 02 03; do [ $frame = $other ] || expect_different steps/$frame.png steps/$other.png; done
+done
+succeed --nogui --session evolution.mesecina --record swept/%02d.png --sweep lambda-limit=0:9:6
+[ "$(ls swept | wc -l)" -eq 6 ] || fail "expected 6 frames"
+run --nogui --session changes.mesecina --record none/%02d.png
+expect_status 2
+expect_in stderr 'nothing moves'
+run --nogui points.xy --session evolution.mesecina --record none/%02d.png
+expect_status 2
+expect_in stderr 'nothing moves'
