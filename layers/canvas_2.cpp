@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "layers/canvas_surface.h"
+#include "layers/software_pictures.h"
 #include "layers/view_navigation.h"
 
 namespace mesecina {
@@ -53,8 +54,13 @@ struct Canvas_2::State {
       return;
     }
     const Opengl_probe probe = probe_opengl();
+    if (probe.reason.isEmpty() && probe.is_software && backend == Backend::automatic) {
+      show_surface(std::make_unique<Painter_surface_2>(content, tr("QPainter, OpenGL in software: %1").arg(probe.name),
+                                                       std::make_unique<Software_pictures>(), &canvas));
+      return;
+    }
     if (probe.reason.isEmpty()) {
-      use_opengl(probe.is_software);
+      use_opengl();
       return;
     }
     use_painter(probe.reason);
@@ -62,20 +68,22 @@ struct Canvas_2::State {
     QMetaObject::invokeMethod(
         &canvas, [this, reason = probe.reason] { Q_EMIT canvas.backend_failed(reason); }, Qt::QueuedConnection);
   }
-  void use_opengl(bool is_software) {
+  void use_opengl() {
     const auto fail = [this](const QString& reason) {
       // Perhaps while painting, when the surface must not be replaced.
       QMetaObject::invokeMethod(
           &canvas, [this, reason] { fall_back(reason); }, Qt::QueuedConnection);
     };
-    show_surface(std::make_unique<Gl_surface_2>(content, is_software, fail, &canvas));
+    show_surface(std::make_unique<Gl_surface_2>(content, fail, &canvas));
   }
   void fall_back(const QString& reason) {
     use_painter(reason);
     Q_EMIT canvas.backend_failed(reason);
   }
   void use_painter(const QString& reason) {
-    show_surface(std::make_unique<Painter_surface_2>(content, reason, &canvas));
+    const QString description =
+        reason.isEmpty() ? QStringLiteral("QPainter") : tr("QPainter (no OpenGL: %1)").arg(reason);
+    show_surface(std::make_unique<Painter_surface_2>(content, description, nullptr, &canvas));
   }
   void show_surface(std::unique_ptr<Canvas_surface> made) {
     surface = std::move(made);

@@ -34,11 +34,12 @@ class Canvas_tool {
 };
 
 /// The planar view: draws a Scene, pans (middle drag, Space + left drag), zooms to the cursor (wheel, pinch), and hands
-/// all else to its tool. Drawn by OpenGL 3.3 where there is one, else by QPainter; both look the same.
+/// all else to its tool. Drawn by OpenGL 3.3 where there is one, else by QPainter; both look the same. Where OpenGL has
+/// no graphics card, each scene is painted by the one of the two that paints it sooner (see Software_pictures).
 class Canvas_2 : public QWidget {
   Q_OBJECT
  public:
-  enum class Backend { automatic, opengl, painter };
+  enum class Backend { automatic, opengl, painter };  ///< opengl: also where there is no graphics card
   explicit Canvas_2(Backend backend = Backend::automatic, QWidget* parent = nullptr);
   ~Canvas_2() override;
 
@@ -62,8 +63,9 @@ class Canvas_2 : public QWidget {
 
   /// Not owned; null for none.
   void set_tool(Canvas_tool* tool);
-  /// "OpenGL 4.5 (llvmpipe)" or "QPainter (no OpenGL: reason)".
+  /// "OpenGL 4.5 (name)", "QPainter, OpenGL in software: name" or "QPainter (no OpenGL: reason)".
   QString backend_name() const;
+  /// In the window: not for software.
   bool uses_opengl() const;
   /// Bytes sent to the graphics card since start; for tests: a pan sends none.
   std::size_t uploaded_bytes() const;

@@ -3,13 +3,13 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <algorithm>
 
 #include "layers/canvas_2.h"
 #include "layers/painter_canvas.h"
+#include "layers/software_pictures.h"
 
 namespace mesecina {
 
@@ -18,35 +18,12 @@ namespace {
 /// Scenes with more elements are not painted at every step of a pan or zoom.
 constexpr std::size_t many_elements = 20000;
 constexpr std::size_t many_elements_for_opengl = 40000;
-/// A picture larger or smaller than this tells nothing.
-constexpr double largest_factor = 32;
-/// Per pixel, that the edges of filled polygons and loops of arcs are smooth.
-constexpr int samples_for_fills = 4;
 constexpr int rest_milliseconds = 120;
-
-QSurfaceFormat wanted_format(int samples) {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 3);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setSamples(samples);
-  format.setStencilBufferSize(8);
-  format.setDepthBufferSize(24);
-  return format;
-}
 
 bool is_empty(const Canvas_content& content) {
   for (const Scene_layer& layer : content.scene.layers)
     if (layer.style.visible && layer.primitives && !layer.primitives->is_empty()) return false;
   return true;
-}
-
-bool has_fills_with_edges(const std::vector<Scene_layer>& layers) {
-  return std::any_of(layers.begin(), layers.end(), [](const Scene_layer& layer) {
-    return layer.style.visible && layer.style.filled && layer.primitives &&
-           !(layer.primitives->polygon_offsets.empty() && layer.primitives->triangles.empty() &&
-             layer.primitives->arcs.empty());
-  });
 }
 
 std::size_t element_count(const Canvas_content& content) {
@@ -58,6 +35,17 @@ std::size_t element_count(const Canvas_content& content) {
 
 }  // namespace
 
+QSurfaceFormat canvas_format(int samples) {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setSamples(samples);
+  format.setStencilBufferSize(8);
+  format.setDepthBufferSize(24);
+  return format;
+}
+
 bool is_software_renderer(const QByteArray& name) {
   const QByteArray lower = name.toLower();
   return lower.contains("llvmpipe") || lower.contains("softpipe") || lower.contains("swiftshader");
@@ -66,20 +54,21 @@ bool is_software_renderer(const QByteArray& name) {
 Opengl_probe probe_opengl() {
   QOffscreenSurface surface;
   QOpenGLContext context;
-  context.setFormat(wanted_format(0));
-  if (!context.create()) return {Canvas_2::tr("no OpenGL context can be made")};
+  context.setFormat(canvas_format(0));
+  if (!context.create()) return {Canvas_2::tr("no OpenGL context can be made"), false, {}};
   surface.setFormat(context.format());
   surface.create();
-  if (!surface.isValid() || !context.makeCurrent(&surface)) return {Canvas_2::tr("the OpenGL context cannot be used")};
+  if (!surface.isValid() || !context.makeCurrent(&surface))
+    return {Canvas_2::tr("the OpenGL context cannot be used"), false, {}};
   const auto version = context.format().version();
   constexpr unsigned renderer = 0x1F01;  // GL_RENDERER
   const auto* name = reinterpret_cast<const char*>(context.functions()->glGetString(renderer));
-  const bool is_software = name && is_software_renderer(name);
+  const QByteArray drawer(name ? name : "");
   context.doneCurrent();
-  if (context.isOpenGLES()) return {Canvas_2::tr("there is only OpenGL ES")};
+  if (context.isOpenGLES()) return {Canvas_2::tr("there is only OpenGL ES"), false, {}};
   if (version < qMakePair(3, 3))
-    return {Canvas_2::tr("OpenGL is %1.%2, 3.3 is needed").arg(version.first).arg(version.second)};
-  return {{}, is_software};
+    return {Canvas_2::tr("OpenGL is %1.%2, 3.3 is needed").arg(version.first).arg(version.second), false, {}};
+  return {{}, is_software_renderer(drawer), QString::fromUtf8(drawer)};
 }
 
 void paint_foreground(QPainter& painter, const Canvas_content& content, const QSizeF& size, const QPalette& palette) {
@@ -126,10 +115,9 @@ void Picture_rest::note(const View_2& shown) {
   moving = shown;
 }
 
-Gl_surface_2::Gl_surface_2(const Canvas_content& content, bool is_software, std::function<void(QString)> fail,
-                           QWidget* parent)
-    : QOpenGLWidget(parent), content_(content), fail_(std::move(fail)), keeps_picture_(is_software), rest_(*this) {
-  setFormat(wanted_format(is_software ? 0 : samples_for_fills));
+Gl_surface_2::Gl_surface_2(const Canvas_content& content, std::function<void(QString)> fail, QWidget* parent)
+    : QOpenGLWidget(parent), content_(content), fail_(std::move(fail)) {
+  setFormat(canvas_format(samples_for_fills));
 }
 
 Gl_surface_2::~Gl_surface_2() { free_renderer(); }
@@ -139,8 +127,6 @@ void Gl_surface_2::free_renderer() {
   makeCurrent();
   uploaded_earlier_ += renderer_->uploaded_bytes();
   renderer_.reset();
-  picture_.reset();
-  samples_.reset();
   doneCurrent();
 }
 
@@ -153,83 +139,19 @@ void Gl_surface_2::initializeGL() {
   }
 }
 
-void Gl_surface_2::scene_changed() {
-  is_outdated_ = true;
-  update();
-}
-
 void Gl_surface_2::paintGL() {
   if (!renderer_) return;
   const double ratio = devicePixelRatioF();
   const QSize pixels = (QSizeF(size()) * ratio).toSize();
   const Gl_renderer_2::Frame frame{pixels.width(), pixels.height(), ratio};
-  if (keeps_picture_) {
-    show_picture(frame);
-    renderer_->draw_over(content_.overlay, content_.view, frame);
-  } else {
-    Scene scene = content_.scene;
-    scene.transparent_background = false;
-    renderer_->draw(scene, content_.overlay, content_.view, frame);
-  }
+  Scene scene = content_.scene;
+  scene.transparent_background = false;
+  renderer_->draw(scene, content_.overlay, content_.view, frame);
   QPainter painter(this);
   paint_foreground(painter, content_, size(), palette());
 }
 
-void Gl_surface_2::paint_picture(const Gl_renderer_2::Frame& frame) {
-  const bool has_fills = has_fills_with_edges(content_.scene.layers);
-  const QSize pixels(frame.width, frame.height);
-  QOpenGLFramebufferObjectFormat format;
-  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-  if (!picture_ || picture_->size() != pixels) picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
-  if (!has_fills) {
-    samples_.reset();
-  } else if (!samples_ || samples_->size() != pixels) {
-    format.setSamples(samples_for_fills);
-    samples_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
-  }
-  Scene scene = content_.scene;
-  scene.transparent_background = false;
-  QOpenGLFramebufferObject& target = has_fills ? *samples_ : *picture_;
-  target.bind();
-  renderer_->draw(scene, {}, content_.view, frame);
-  target.release();
-  if (has_fills) QOpenGLFramebufferObject::blitFramebuffer(picture_.get(), samples_.get());
-  rest_.view = content_.view;
-  is_outdated_ = false;
-}
-
-void Gl_surface_2::show_picture(const Gl_renderer_2::Frame& frame) {
-  const bool fits = picture_ && picture_->size() == QSize(frame.width, frame.height) && !is_outdated_;
-  const double factor = content_.view.scale / rest_.view.scale;
-  const bool may_wait = fits && !rest_.must_be_exact && factor < largest_factor && factor > 1 / largest_factor &&
-                        element_count(content_) > many_elements_for_opengl;
-  if (!(fits && rest_.view == content_.view) && !may_wait) paint_picture(frame);
-  rest_.note(content_.view);
-  if (rest_.view == content_.view) {
-    QOpenGLFramebufferObject::blitFramebuffer(nullptr, picture_.get());
-    return;
-  }
-  const Color& ground = content_.scene.background;
-  constexpr float most = 255;
-  QOpenGLFunctions& gl = *context()->functions();
-  constexpr unsigned color_buffer = 0x4000;  // GL_COLOR_BUFFER_BIT
-  constexpr unsigned linear = 0x2601;        // GL_LINEAR
-  gl.glClearColor(ground.red / most, ground.green / most, ground.blue / most, 1);
-  gl.glClear(color_buffer);
-  const Point_2 middle = content_.view.to_pixel(rest_.view.center, frame.width, frame.height);
-  const QSizeF shown = QSizeF(frame.width, frame.height) * factor;
-  const double ratio = frame.pixel_ratio;
-  // Rows of OpenGL are counted from below.
-  const double left = frame.width / 2.0 + (middle.x - frame.width / 2.0) * ratio - shown.width() / 2;
-  const double low = frame.height / 2.0 - (middle.y - frame.height / 2.0) * ratio - shown.height() / 2;
-  QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRectF(QPointF(left, low), shown).toRect(), picture_.get(),
-                                            QRect(0, 0, frame.width, frame.height), color_buffer, linear);
-}
-
-QImage Gl_surface_2::grab_picture() {
-  rest_.must_be_exact = true;
-  return grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-}
+QImage Gl_surface_2::grab_picture() { return grabFramebuffer().convertToFormat(QImage::Format_RGB32); }
 
 QString Gl_surface_2::description() const {
   return renderer_ ? QString::fromStdString(renderer_->description()) : QStringLiteral("OpenGL");
@@ -239,10 +161,17 @@ std::size_t Gl_surface_2::uploaded_bytes() const {
   return uploaded_earlier_ + (renderer_ ? renderer_->uploaded_bytes() : 0);
 }
 
-Painter_surface_2::Painter_surface_2(const Canvas_content& content, QString reason, QWidget* parent)
-    : QWidget(parent), content_(content), reason_(std::move(reason)), rest_(*this) {
+Painter_surface_2::Painter_surface_2(const Canvas_content& content, QString description,
+                                     std::unique_ptr<Software_pictures> software, QWidget* parent)
+    : QWidget(parent),
+      content_(content),
+      description_(std::move(description)),
+      software_(std::move(software)),
+      rest_(*this) {
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
+
+Painter_surface_2::~Painter_surface_2() = default;
 
 void Painter_surface_2::scene_changed() {
   picture_ = {};
@@ -251,9 +180,16 @@ void Painter_surface_2::scene_changed() {
 
 void Painter_surface_2::paint_picture() {
   const double ratio = devicePixelRatioF();
-  picture_ = QPixmap((QSizeF(size()) * ratio).toSize());
-  picture_.setDevicePixelRatio(ratio);
+  const QSize pixels = (QSizeF(size()) * ratio).toSize();
   rest_.view = content_.view;
+  if (software_ && is_sooner_by_opengl(content_.scene)) {
+    const QImage image = software_->paint(content_.scene, content_.view, {pixels.width(), pixels.height(), ratio});
+    picture_ = QPixmap::fromImage(image);
+    picture_.setDevicePixelRatio(ratio);
+    if (!picture_.isNull()) return;
+  }
+  picture_ = QPixmap(pixels);
+  picture_.setDevicePixelRatio(ratio);
   Scene scene = content_.scene;
   scene.transparent_background = false;
   QPainter painter(&picture_);
@@ -265,7 +201,8 @@ void Painter_surface_2::paintEvent(QPaintEvent*) {
   const bool fits = !picture_.isNull() && picture_.devicePixelRatio() == devicePixelRatioF() &&
                     (picture_size * devicePixelRatioF()).toSize() == (QSizeF(size()) * devicePixelRatioF()).toSize();
   const bool is_current = fits && rest_.view == content_.view;
-  const bool may_wait = fits && !rest_.must_be_exact && element_count(content_) > many_elements;
+  const std::size_t many = software_ && is_sooner_by_opengl(content_.scene) ? many_elements_for_opengl : many_elements;
+  const bool may_wait = fits && !rest_.must_be_exact && element_count(content_) > many;
   if (!is_current && !may_wait) paint_picture();
   rest_.note(content_.view);
   QPainter painter(this);
@@ -295,8 +232,6 @@ QImage Painter_surface_2::grab_picture() {
   return grab().toImage().convertToFormat(QImage::Format_RGB32);
 }
 
-QString Painter_surface_2::description() const {
-  return reason_.isEmpty() ? QStringLiteral("QPainter") : Canvas_2::tr("QPainter (no OpenGL: %1)").arg(reason_);
-}
+std::size_t Painter_surface_2::uploaded_bytes() const { return software_ ? software_->uploaded_bytes() : 0; }
 
 }  // namespace mesecina

@@ -6,6 +6,7 @@
 #include <QOpenGLWidget>
 #include <QPixmap>
 #include <QString>
+#include <QSurfaceFormat>
 #include <QTimer>
 #include <functional>
 #include <memory>
@@ -15,9 +16,9 @@
 #include "core/style.h"
 #include "layers/gl_renderer_2.h"
 
-class QOpenGLFramebufferObject;
-
 namespace mesecina {
+
+class Software_pictures;
 
 /// What a Canvas_2 shows.
 struct Canvas_content {
@@ -32,11 +33,17 @@ struct Canvas_content {
 struct Opengl_probe {
   QString reason;            ///< why there can be no QOpenGLWidget with OpenGL 3.3 here; empty when there can
   bool is_software = false;  ///< drawn by the processor, where every sample of a pixel costs time
+  QString name;              ///< of what draws: "llvmpipe (LLVM 15.0.6, 256 bits)"
 };
 /// Takes some milliseconds.
 Opengl_probe probe_opengl();
 /// Whether the GL_RENDERER of this name draws without a graphics card.
 bool is_software_renderer(const QByteArray& name);
+
+/// Of contexts that a canvas draws by.
+QSurfaceFormat canvas_format(int samples);
+/// Per pixel, that the edges of filled polygons and loops of arcs are smooth.
+inline constexpr int samples_for_fills = 4;
 
 /// What stands on top of a scene whatever draws it: colour bars, rubber band, hint. `size` in logical pixels.
 void paint_foreground(QPainter& painter, const Canvas_content& content, const QSizeF& size, const QPalette& palette);
@@ -68,14 +75,11 @@ struct Picture_rest {
 class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
  public:
   /// `fail` is called, at most once and perhaps while painting, when OpenGL turns out not to do.
-  /// With several samples per pixel when a graphics card draws. In software there is one, but for filled polygons and
-  /// loops of arcs, whose edges are the only ones that need more; and a picture of the scene is kept, so that what
-  /// changes above it costs little. While the view of a very large scene moves, that picture is shown in its place.
-  Gl_surface_2(const Canvas_content& content, bool is_software, std::function<void(QString)> fail, QWidget* parent);
+  Gl_surface_2(const Canvas_content& content, std::function<void(QString)> fail, QWidget* parent);
   ~Gl_surface_2() override;
 
   QWidget& widget() override { return *this; }
-  void scene_changed() override;
+  void scene_changed() override { update(); }
   QImage grab_picture() override;
   QString description() const override;
   std::size_t uploaded_bytes() const override;
@@ -86,31 +90,27 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
 
  private:
   void free_renderer();
-  void paint_picture(const Gl_renderer_2::Frame& frame);
-  void show_picture(const Gl_renderer_2::Frame& frame);
 
   const Canvas_content& content_;
   std::function<void(QString)> fail_;
   std::unique_ptr<Gl_renderer_2> renderer_;
-  bool keeps_picture_;
-  std::unique_ptr<QOpenGLFramebufferObject> picture_;  ///< of the scene; null where none is kept
-  std::unique_ptr<QOpenGLFramebufferObject> samples_;  ///< what the picture is made of, if it has fills
-  bool is_outdated_ = true;                            ///< the picture is of an earlier scene
-  Picture_rest rest_;
   std::size_t uploaded_earlier_ = 0;
 };
 
 /// Keeps a picture of the scene: while the view of a large one moves, that is shown in its place, and painted anew when
-/// it rests.
+/// it rests. Hovering and selecting paint above it.
 class Painter_surface_2 : public QWidget, public Canvas_surface {
  public:
-  Painter_surface_2(const Canvas_content& content, QString reason, QWidget* parent);
+  /// `description`: of how it draws. `software` (may be null) paints the pictures of scenes that is sooner for.
+  Painter_surface_2(const Canvas_content& content, QString description, std::unique_ptr<Software_pictures> software,
+                    QWidget* parent);
+  ~Painter_surface_2() override;
 
   QWidget& widget() override { return *this; }
   void scene_changed() override;
   QImage grab_picture() override;
-  QString description() const override;
-  std::size_t uploaded_bytes() const override { return 0; }
+  QString description() const override { return description_; }
+  std::size_t uploaded_bytes() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -119,7 +119,8 @@ class Painter_surface_2 : public QWidget, public Canvas_surface {
   void paint_picture();
 
   const Canvas_content& content_;
-  QString reason_;
+  QString description_;
+  std::unique_ptr<Software_pictures> software_;
   QPixmap picture_;  ///< of the scene; null when it has changed
   Picture_rest rest_;
 };

@@ -397,15 +397,6 @@ void Gl_renderer_2::draw(const Scene& scene, std::span<const Scene_layer> overla
   State::end();
 }
 
-void Gl_renderer_2::draw_over(std::span<const Scene_layer> layers, const View_2& view, const Frame& frame) {
-  state_->begin(view, frame);
-  // The last bit of the stencil marks the insides of polygons while they are drawn.
-  glClearStencil(0);
-  glClear(GL_STENCIL_BUFFER_BIT);
-  for (const Scene_layer& layer : layers) state_->draw_layer(layer);
-  State::end();
-}
-
 std::size_t Gl_renderer_2::uploaded_bytes() const {
   std::size_t sum = state_->other_bytes + state_->color_maps.uploaded_bytes();
   for (const auto& [set, buffers] : state_->primitives) sum += buffers.uploaded_bytes();

@@ -28,9 +28,6 @@ class Gl_renderer_2 {
   /// exist are not uploaded again; the others' memory is freed.
   void draw(const Scene& scene, std::span<const Scene_layer> overlay, const View_2& view, const Frame& frame);
 
-  /// Paints layers over what the framebuffer holds; else as draw().
-  void draw_over(std::span<const Scene_layer> layers, const View_2& view, const Frame& frame);
-
   /// Bytes of geometry, values, colour maps and images sent since it was made.
   std::size_t uploaded_bytes() const;
   /// "OpenGL 4.5 (llvmpipe ...)"

@@ -236,31 +236,5 @@ TEST_F(Gl_picture, EmptySetsAndHiddenLayersShowNothing) {
   EXPECT_EQ(drawn(scene, whole), blank);
 }
 
-TEST_F(Gl_picture, InSoftwareAVeryLargeSceneFollowsTheViewAndIsExactAtRest) {
-  if (!is_software_renderer(canvas_.backend_name().toUtf8())) GTEST_SKIP() << "drawn by a graphics card";
-  auto set = std::make_shared<Primitive_set>();
-  for (int i = 0; i < 60000; ++i) set->points.push_back(add_vertex(*set, (i % 300) / 3.0, (i * 7 % 1000) / 12.0));
-  Scene scene;
-  scene.layers.push_back(make_layer("points", set, {0, 0, 120}));
-  scene.layers[0].style.point_size = 2;
-  drawn(scene, whole);
-  const QPoint shift(40, -24);
-  const View_2 moved{{whole.center.x - shift.x() / whole.scale, whole.center.y + shift.y() / whole.scale}, whole.scale};
-  canvas_.set_view(moved);
-  auto* surface = canvas_.findChild<QOpenGLWidget*>();
-  ASSERT_NE(surface, nullptr);
-  const auto shown = [&] { return surface->grabFramebuffer().convertToFormat(QImage::Format_RGB32); };
-  const QImage moving = shown();
-  const QImage exact = canvas_.grab_picture();
-  EXPECT_NE(moving, exact) << "painted exactly while moving";
-  const QRect middle = moving.rect().adjusted(150, 150, -150, -150);
-  EXPECT_TRUE(same_picture(moving.copy(middle), exact.copy(middle), "moving"));
-  const QImage back = drawn(scene, whole);
-  canvas_.set_view(moved);
-  shown();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == exact; }));
-  EXPECT_NE(back, exact);
-}
-
 }  // namespace
 }  // namespace mesecina
