@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QRegularExpression>
 #include <QTextDocumentFragment>
 #include <algorithm>
@@ -47,9 +48,18 @@ const QRegularExpression& link_pattern() {
 
 const QRegularExpression& figure_pattern() {
   static const QRegularExpression pattern(
-      QStringLiteral("<figure name=\"([^\"]*)\" input=\"([^\"]*)\" options=\"([^\"]*)\">(.*?)</figure>"),
+      QStringLiteral(
+          "<figure name=\"([^\"]*)\"(?: input=\"([^\"]*)\" options=\"([^\"]*)\"| commands=\"([^\"]*)\")>(.*?)"
+          "</figure>"),
       QRegularExpression::DotMatchesEverythingOption);
   return pattern;
+}
+
+Manual_figure figure_of(const QRegularExpressionMatch& match) {
+  QStringList commands = match.captured(4).split(QLatin1Char(';'), Qt::SkipEmptyParts);
+  for (QString& command : commands) command = command.simplified();
+  return {match.captured(1), match.captured(2), match.captured(3).split(QLatin1Char(' '), Qt::SkipEmptyParts), commands,
+          match.captured(5).simplified()};
 }
 
 }  // namespace
@@ -149,13 +159,10 @@ void Manual::add_chapters() {
     body.remove(comment);
     body.replace(is_planar ? in_plane : in_space, QStringLiteral("\\1")).remove(is_planar ? in_space : in_plane);
     body.replace(QStringLiteral("{program}"), subject_.program);
+    body.replace(QStringLiteral("{example}"), is_planar ? QStringLiteral("giraffe.wkt") : QStringLiteral("ring.off"));
     const QString heading = title.match(body).captured(1);
     body.remove(title);
-    for (auto it = figure_pattern().globalMatch(body); it.hasNext();) {
-      const QRegularExpressionMatch match = it.next();
-      figures_.push_back({match.captured(1), match.captured(2), match.captured(3).split(QLatin1Char(' ')),
-                          match.captured(4).simplified()});
-    }
+    for (auto it = figure_pattern().globalMatch(body); it.hasNext();) figures_.push_back(figure_of(it.next()));
     add_page(name.section(QLatin1Char('.'), 0, 0).section(QLatin1Char('-'), 1), heading, body);
   }
 }
@@ -300,18 +307,33 @@ QString Manual::file_body(const Manual_page& page) const {
     return QStringLiteral("href=\"%1.html%2\"").arg(id, place.isEmpty() ? QString() : QLatin1Char('#') + place);
   });
   return replaced(body, figure_pattern(), [this](const QRegularExpressionMatch& match) {
+    const Manual_figure figure = figure_of(match);
+    const QString made_by = figure.is_of_window()
+                                ? QString()
+                                : QStringLiteral("<br><code>%1 --nogui %2 %3 --formats png</code>")
+                                      .arg(subject_.program, figure.input, figure.options.join(QLatin1Char(' ')));
     return QStringLiteral(
-               "<figure><img src=\"pictures/%1.png\" alt=\"%2\" width=\"600\">"
-               "<figcaption>%2<br><code>%3 --nogui %4 %5 --formats png</code></figcaption></figure>")
-        .arg(match.captured(1), match.captured(4).simplified(), subject_.program, match.captured(2), match.captured(3));
+               "<figure><img src=\"pictures/%1.png\" alt=\"%2\" width=\"600\"><figcaption>%2%3</figcaption></figure>")
+        .arg(figure.name, figure.caption, made_by);
   });
 }
 
-QString Manual::window_body(const Manual_page& page) const {
-  return replaced(page.body, figure_pattern(), [](const QRegularExpressionMatch& match) {
-    return QStringLiteral("<p><a href=\"figure:%1\">▸ %2</a>: %3</p>")
-        .arg(match.captured(1), tr("Show this in the window"), match.captured(4).simplified());
+QString Manual::window_body(const Manual_page& page, int picture_width) const {
+  return replaced(page.body, figure_pattern(), [this, picture_width](const QRegularExpressionMatch& match) {
+    const Manual_figure figure = figure_of(match);
+    const QString link =
+        figure.is_of_window()
+            ? QString()
+            : QStringLiteral(" <a href=\"figure:%1\">%2</a>").arg(figure.name, tr("Show this in the window"));
+    return QStringLiteral("<p><img src=\"%1\" width=\"%2\"><br><i>%3.</i>%4</p>")
+        .arg(shipped_picture(figure.name))
+        .arg(picture_width)
+        .arg(figure.caption, link);
   });
+}
+
+QString Manual::shipped_picture(const QString& figure) const {
+  return QStringLiteral(":/manual/pictures/%1/%2.png").arg(subject_.program, figure);
 }
 
 QStringList Manual::faults() const {
@@ -330,6 +352,11 @@ QStringList Manual::faults() const {
                                    ? subject_.commands->find(QStringLiteral("open-example")).parameters.front().known()
                                    : QStringList();
   for (const Manual_figure& figure : figures_) {
+    const QString recipe = QImage(shipped_picture(figure.name)).text(QLatin1String(recipe_key));
+    if (recipe != figure.recipe())
+      faults << tr("the picture of the figure %1 was made by '%2', not by '%3': run scripts/make-manual-pictures")
+                    .arg(figure.name, recipe, figure.recipe());
+    if (figure.is_of_window()) continue;
     if (subject_.commands && !examples.contains(figure.input))
       faults << tr("the figure %1 is of %2, which is no example").arg(figure.name, figure.input);
     const auto command_line = parsed_arguments(subject_, figure.options);
@@ -337,6 +364,11 @@ QStringList Manual::faults() const {
       faults << tr("the figure %1: %2").arg(figure.name, QString::fromStdString(exit->text).trimmed());
   }
   return faults;
+}
+
+QString Manual_figure::recipe() const {
+  return is_of_window() ? commands.join(QStringLiteral("; "))
+                        : input + QLatin1Char(' ') + options.join(QLatin1Char(' '));
 }
 
 QString figure_script(const Manual_figure& figure) {

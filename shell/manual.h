@@ -18,13 +18,21 @@
 
 namespace mesecina {
 
-/// A picture of the manual, which the program makes of an example.
+/// A picture of the manual, which the program makes: of an example, or of a window after a script.
 struct Manual_figure {
-  QString name;         ///< kebab-case; of the file
-  QString input;        ///< name of an example
-  QStringList options;  ///< of the command line, without --nogui and the input
+  QString name;          ///< kebab-case; of the file
+  QString input;         ///< name of an example; empty for a picture of a window
+  QStringList options;   ///< of the command line, without --nogui and the input
+  QStringList commands;  ///< of the script for a picture of a window, which is taken after them
   QString caption;
+
+  bool is_of_window() const { return !commands.isEmpty(); }
+  /// What it was made by, in one line: pictures carry it, so that those of older figures are told from new ones.
+  QString recipe() const;
 };
+
+/// The key of the text in a picture that holds the recipe.
+inline constexpr const char* recipe_key = "mesecina-figure";
 
 /// A part of a page below a heading.
 struct Manual_section {
@@ -63,9 +71,12 @@ class Manual {
   std::pair<QString, QString> target(const QString& link) const;
   /// The body as a file among others: links lead to files, and figures show their pictures.
   QString file_body(const Manual_page& page) const;
-  /// The body for a window: figures are links "figure:NAME".
-  QString window_body(const Manual_page& page) const;
-  /// One sentence for each link that leads nowhere and each figure that could not be made. For tests.
+  /// The body for a window: figures are pictures this wide, in pixels, and links "figure:NAME".
+  QString window_body(const Manual_page& page, int picture_width) const;
+  /// The picture that comes with the program, a resource. scripts/make-manual-pictures makes it.
+  QString shipped_picture(const QString& figure) const;
+  /// One sentence for each link that leads nowhere, each figure that could not be made, and each picture that is
+  /// missing or was made by another recipe. For tests.
   QStringList faults() const;
 
  private:
@@ -91,9 +102,11 @@ std::variant<Command_line, Early_exit> parsed_arguments(const Manual_subject& su
 /// The lines of a script that shows in the window what a figure shows.
 QString figure_script(const Manual_figure& figure);
 
-/// Makes the pictures of the figures, NAME.png in a folder, which is made where there is none. `write_example` writes
-/// the input of this name into a file of this name in a folder. Computes in child processes (see run_batch). False,
-/// with a line on stderr, when some picture could not be made.
+/// Makes the pictures of the figures, pictures/NAME.png in a folder, which is made where there is none, and writes the
+/// inputs that they and the commands of the chapters are about into its folder "examples". `write_example` writes the
+/// input of this name into a file of this name in a folder. Computes in child processes (see run_batch). Pictures of
+/// windows, which need a display, are those that come with the program. False, with a line on stderr, when some picture
+/// could not be made.
 bool make_manual_pictures(const Manual_subject& subject, const std::shared_ptr<const Registry>& registry,
                           const std::filesystem::path& folder,
                           const std::function<void(const QString& name, const QString& folder)>& write_example);

@@ -4,6 +4,8 @@
 #include <QDesktopServices>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QResizeEvent>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
 #include <QTextBrowser>
@@ -20,6 +22,17 @@ namespace mesecina {
 namespace {
 enum Role { page_role = Qt::UserRole, anchor_role };
 constexpr std::size_t most_found = 60;
+constexpr int widest_picture = 720;
+constexpr int narrowest_picture = 200;
+
+/// Colours of what is code and of borders, between those of paper and ink.
+QString page_style(const QPalette& palette) {
+  const QColor code = palette.color(QPalette::AlternateBase);
+  return QStringLiteral(
+             "code, pre { background-color: %1 } pre { white-space: pre-wrap } "
+             "h1 { font-size: xx-large } h2 { font-size: large } h3 { font-size: medium }")
+      .arg(code.name());
+}
 }  // namespace
 
 Manual_window::Manual_window(Manual manual, QWidget* parent)
@@ -105,12 +118,48 @@ QStringList Manual_window::listed() const {
 void Manual_window::show_page(const QString& id, const QString& anchor) {
   const auto it = std::ranges::find(manual_.pages(), id, &Manual_page::id);
   if (it == manual_.pages().end()) return;
-  if (std::exchange(page_, id) != id) text_->setHtml(manual_.window_body(*it));
+  if (std::exchange(page_, id) != id) lay_out();
   if (anchor.isEmpty()) {
     text_->moveCursor(QTextCursor::Start);
   } else {
     text_->scrollToAnchor(anchor);
   }
+}
+
+int Manual_window::picture_width() const {
+  const int around =
+      2 * static_cast<int>(text_->document()->documentMargin()) + text_->verticalScrollBar()->sizeHint().width();
+  return std::clamp(text_->width() - around - 2 * text_->frameWidth(), narrowest_picture, widest_picture);
+}
+
+void Manual_window::lay_out() {
+  const auto it = std::ranges::find(manual_.pages(), page_, &Manual_page::id);
+  if (it == manual_.pages().end()) return;
+  laid_out_width_ = picture_width();
+  const int place = text_->verticalScrollBar()->value();
+  text_->document()->clear();
+  text_->document()->setDefaultStyleSheet(page_style(palette()));
+  // Text documents scale pictures without smoothing, so they get them in the size in which they are shown.
+  for (const Manual_figure& figure : manual_.figures()) {
+    const QString name = manual_.shipped_picture(figure.name);
+    if (!it->body.contains(QStringLiteral("name=\"%1\"").arg(figure.name))) continue;
+    QImage picture =
+        QImage(name).scaledToWidth(qRound(laid_out_width_ * devicePixelRatioF()), Qt::SmoothTransformation);
+    picture.setDevicePixelRatio(devicePixelRatioF());
+    text_->document()->addResource(QTextDocument::ImageResource, QUrl(name), picture);
+  }
+  text_->setHtml(manual_.window_body(*it, laid_out_width_));
+  text_->verticalScrollBar()->setValue(place);
+}
+
+void Manual_window::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (picture_width() != laid_out_width_) lay_out();
+}
+
+void Manual_window::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) lay_out();
 }
 
 void Manual_window::go_to(const QString& link) {

@@ -30,13 +30,21 @@ class Manual_window : public QWidget {
  Q_SIGNALS:
   void figure_requested(const mesecina::Manual_figure& figure);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
   void fill();
   void show_page(const QString& id, const QString& anchor);
+  /// The page anew, where it was: its pictures fit the window, its colours the theme.
+  void lay_out();
+  int picture_width() const;
   void follow(const QUrl& url);
 
   Manual manual_;
   QString page_;
+  int laid_out_width_ = 0;  ///< of pictures, in pixels
   QLineEdit* search_;
   QListWidget* list_;
   QTextBrowser* text_;

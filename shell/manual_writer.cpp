@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <QDir>
+#include <QImage>
 #include <QTemporaryDir>
 #include <iostream>
 #include <ostream>
@@ -47,33 +48,40 @@ QString document(const QString& title, const QString& navigation, const QString&
          body + QStringLiteral("</main>\n</body>\n</html>\n");
 }
 
+/// With its recipe; false where there is no picture.
+bool save_picture(QImage picture, const Manual_figure& figure, const std::filesystem::path& folder) {
+  picture.setText(QLatin1String(recipe_key), figure.recipe());
+  return picture.save(QString::fromStdString((folder / (figure.name.toStdString() + ".png")).string()));
+}
+
 }  // namespace
 
 bool make_manual_pictures(const Manual_subject& subject, const std::shared_ptr<const Registry>& registry,
                           const std::filesystem::path& folder,
                           const std::function<void(const QString& name, const QString& folder)>& write_example) {
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path pictures = folder / "pictures";
+  const QString examples = QString::fromStdString((folder / "examples").string());
+  std::filesystem::create_directories(pictures);
+  std::filesystem::create_directories(folder / "examples");
   const QTemporaryDir work;
   bool is_complete = true;
   const Manual manual(subject);
   for (const Manual_figure& figure : manual.figures()) {
-    const QString file = work.filePath(figure.input);
-    if (!QFile::exists(file)) write_example(figure.input, work.path());
-    const QString made = work.filePath(figure.name);
-    const auto command_line = parsed_arguments(
-        subject, QStringList{QStringLiteral("--nogui"), file, QStringLiteral("--formats"), QStringLiteral("png"),
-                             QStringLiteral("--size"), QStringLiteral("900x600"), QStringLiteral("--log"),
-                             QStringLiteral("error"), QStringLiteral("--output"), made} +
-                     figure.options);
-    const auto* wanted = std::get_if<Command_line>(&command_line);
-    const int code =
-        wanted ? run_batch(*wanted, subject.program.toStdString(), registry, subject.formats, std::cerr, false)
-               : exit_wrong_usage;
-    const QString picture = QStringLiteral("%1/%2.png").arg(made, QFileInfo(figure.input).completeBaseName());
-    std::error_code error;
-    std::filesystem::copy_file(picture.toStdString(), folder / (figure.name.toStdString() + ".png"),
-                               std::filesystem::copy_options::overwrite_existing, error);
-    if (code == exit_success && !error) continue;
+    QString file = manual.shipped_picture(figure.name);
+    if (!figure.is_of_window()) {
+      const QString input = QDir(examples).filePath(figure.input);
+      if (!QFile::exists(input)) write_example(figure.input, examples);
+      const QString made = work.filePath(figure.name);
+      const auto command_line = parsed_arguments(
+          subject, QStringList{QStringLiteral("--nogui"), input, QStringLiteral("--formats"), QStringLiteral("png"),
+                               QStringLiteral("--size"), QStringLiteral("900x600"), QStringLiteral("--log"),
+                               QStringLiteral("error"), QStringLiteral("--output"), made} +
+                       figure.options);
+      if (const auto* wanted = std::get_if<Command_line>(&command_line))
+        run_batch(*wanted, subject.program.toStdString(), registry, subject.formats, std::cerr, false);
+      file = QStringLiteral("%1/%2.png").arg(made, QFileInfo(figure.input).completeBaseName());
+    }
+    if (save_picture(QImage(file), figure, pictures)) continue;
     std::cerr << subject.program.toStdString() << ": no picture of " << figure.name.toStdString() << '\n';
     is_complete = false;
   }

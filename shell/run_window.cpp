@@ -166,8 +166,7 @@ int write_manual_folder(int argc, char** argv, const Program_identity& identity,
   bool is_complete = true;
   const auto make_pictures_first = [&] {
     // Windows have threads, and what computes pictures must not be a copy of a process that has.
-    is_complete = make_manual_pictures({identity.name, *registry, formats, nullptr}, registry, folder / "pictures",
-                                       write_example);
+    is_complete = make_manual_pictures({identity.name, *registry, formats, nullptr}, registry, folder, write_example);
     return make_window();
   };
   return use_hidden_window(argc, argv, identity, make_pictures_first, [&](const Program_window& window) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTextBrowser>
 #include <QWhatsThis>
 #include <QtTest>
@@ -73,6 +74,44 @@ TEST_F(Manual_in_window, ShowsPagesFollowsLinksAndSearches) {
   EXPECT_TRUE(manual().listed().isEmpty());
   manual().search("");
   EXPECT_EQ(manual().listed().size(), static_cast<qsizetype>(manual().manual().pages().size()));
+}
+
+TEST_F(Manual_in_window, PagesShowPicturesThatFit) {
+  manual().resize(900, 700);
+  manual().go_to("chapter:recording");
+  auto* browser = manual().findChild<QTextBrowser*>();
+  const auto picture_of = [&](const char* figure) {
+    return browser->document()
+        ->resource(QTextDocument::ImageResource, QUrl(manual().manual().shipped_picture(figure)))
+        .value<QImage>();
+  };
+  const QImage wide = picture_of("record");
+  ASSERT_FALSE(wide.isNull());
+  EXPECT_TRUE(browser->toHtml().contains(manual().manual().shipped_picture("record")));
+  EXPECT_LE(wide.width(), browser->viewport()->width() * browser->devicePixelRatioF());
+  EXPECT_FALSE(browser->horizontalScrollBar()->isVisible());
+  browser->verticalScrollBar()->setValue(browser->verticalScrollBar()->maximum() / 2);
+  manual().resize(600, 500);
+  EXPECT_LT(picture_of("record").width(), wide.width());
+  EXPECT_GT(browser->verticalScrollBar()->value(), 0);
+}
+
+TEST_F(Manual_in_window, APictureOfAnotherRecipeIsAFault) {
+  const Manual& pages = manual().manual();
+  for (const Manual_figure& figure : pages.figures()) {
+    const QImage picture(pages.shipped_picture(figure.name));
+    EXPECT_EQ(picture.text(recipe_key), figure.recipe()) << figure.name.toStdString();
+    EXPECT_GE(picture.width(), 600) << figure.name.toStdString();
+  }
+  Manual_figure changed = pages.figures().front();
+  changed.options << "--set"
+                  << "lambda-limit=3";
+  EXPECT_NE(changed.recipe(), pages.figures().front().recipe());
+}
+
+TEST_F(Manual_in_window, ThereAreChaptersForTasks) {
+  for (const char* id : {"evolutions", "bundles", "recording", "sessions", "many-shapes"})
+    EXPECT_GE(body(id).count("<h2>"), 4) << id;
 }
 
 TEST_F(Manual_in_window, AFigureIsShownInTheWindow) {

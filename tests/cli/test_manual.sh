@@ -30,6 +30,12 @@ for page in manual/*.html; do
   done
 done
 [ "$links" -gt 100 ] || fail "expected links, found $links"
+for figure in $(grep -ohE 'src="[^"]*"' manual/*.html | sort -u | sed 's/^src="//; s/"$//'); do
+  [ -n "$(identify -format '%[mesecina-figure]' "manual/$figure")" ] || fail "expected a recipe in $figure"
+done
+for file in manual/examples/*; do
+  succeed --nogui "$file" --output read
+done
 [ "$(find manual/pictures -name '*.png' -size +3k | wc -l)" -ge 5 ] || fail "expected pictures"
 ! grep -lE '<only[23]d>|\{program\}|<figure name' manual/*.html || fail "expected no marks of the chapters"
 
