@@ -351,6 +351,7 @@ Startup startup_of(const Command_line& command_line) {
   Startup startup{command_line.files, command_line.layers, command_line.settings, command_line.styles,
                   command_line.as_listed};
   startup.evolutions = command_line.evolutions;
+  startup.warnings = command_line.warnings;
   const bool brings_data =
       command_line.session && command_line.files == std::vector{command_line.session_file.value_or("")};
   if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
@@ -369,6 +370,9 @@ Startup startup_of(const Command_line& command_line) {
     style.visible = std::ranges::count(command_line.layers, id) > 0;
   }
   startup.files.clear();
+  // No reader of files tells what is not understood.
+  startup.warnings.insert(startup.warnings.end(), session.unknown.parts.notes.begin(),
+                          session.unknown.parts.notes.end());
   startup.session = std::make_shared<const Session>(std::move(session));
   return startup;
 }
@@ -404,6 +408,8 @@ void Program_window::start(const Startup& startup, const QString& usual_layer) {
   layer_panel_->select({startup.layers.empty() ? usual_layer : topmost_visible(document_.layers())});
   show_title();
   show_scene();
+  for (const std::string& warning : startup.warnings)
+    messages_->add(Message_bar::Kind::warning, QString::fromStdString(warning));
   QStringList paths;
   for (const std::filesystem::path& file : startup.files) paths << QString::fromStdString(file.string());
   if (!startup.evolutions.empty()) set_evolution_bar_visible(true);

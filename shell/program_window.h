@@ -72,6 +72,7 @@ struct Startup {
   std::optional<Seen_3> seen_3 = {};
   std::vector<Evolution_order> evolutions = {};  ///< that the data goes through, one after the other
   std::shared_ptr<const Session> session = {};   ///< shown in place of the example; null for none
+  std::vector<std::string> warnings = {};        ///< of what was read for it, for the bar of messages
 };
 
 /// What a command line asks for: its session with what else it says, where the session brings the data.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/batch/bundle_library.h"
 #include "core/formats/text_file.h"
 #include "core/historical_bundles.h"
 
@@ -27,6 +28,28 @@ Bundle pick(const std::vector<Bundle>& bundles, const std::string& name, const s
                               (nearest.empty() ? "; " + otherwise : "; did you mean '" + nearest + "'?"));
 }
 
+/// As the shipped bundles are called, whatever the user has made of them.
+constexpr std::string_view shipped_mark = "shipped:";
+
+Bundle pick_known(const std::string& name, const Registry& registry, const std::filesystem::path& user_file,
+                  std::vector<std::string>& warnings) {
+  constexpr const char* otherwise = "--list bundles shows them all";
+  if (name.starts_with(shipped_mark))
+    return pick(shipped_bundles(registry), name.substr(shipped_mark.size()), otherwise);
+  const Bundle_library library = read_bundle_library(user_file, registry);
+  if (!library.problem.empty()) warnings.push_back(library.problem + "; only shipped bundles are known");
+  std::vector<Bundle> bundles;
+  for (const Known_bundle& known : library.bundles) bundles.push_back(known.bundle);
+  Bundle bundle = pick(bundles, name, otherwise);
+  const bool is_changed = std::ranges::any_of(library.bundles, [&](const Known_bundle& known) {
+    return known.origin == Known_bundle::Origin::changed && known.bundle.name == bundle.name;
+  });
+  if (is_changed)
+    warnings.push_back("bundle '" + bundle.name + "' is yours, from " + user_file.string() +
+                       "; the one of the program is '" + std::string(shipped_mark) + bundle_id(bundle.name) + "'");
+  return bundle;
+}
+
 bool is_file(const std::string& text) {
   std::error_code error;
   return std::filesystem::is_regular_file(text, error);
@@ -44,14 +67,15 @@ std::vector<Bundle> read_bundle_file(const std::filesystem::path& file, const Re
   }
 }
 
-Bundle read_bundle_option(const std::string& text, const Registry& registry) {
+Bundle read_bundle_option(const std::string& text, const Registry& registry, const std::filesystem::path& user_file,
+                          std::vector<std::string>& warnings) {
   const auto hash = text.rfind('#');
   const std::string file = is_file(text) || hash == std::string::npos ? text : text.substr(0, hash);
   if (!is_file(file)) {
     const bool looks_like_file =
         text.find('/') != std::string::npos || file.ends_with(".json") || file.ends_with(".bnd");
     if (looks_like_file) throw std::invalid_argument(file + ": there is no such file");
-    return pick(shipped_bundles(registry), text, "--list bundles shows them all");
+    return pick_known(text, registry, user_file, warnings);
   }
   const std::vector<Bundle> bundles = read_bundle_file(file, registry);
   if (bundles.empty()) throw std::invalid_argument(file + ": there is no bundle in it");
@@ -72,7 +96,8 @@ void take_bundle(Command_line& command_line, const Bundle& bundle, const Registr
   command_line.as_listed = true;
   command_line.view = bundle.view;
   command_line.view_3 = bundle.view_3;
-  command_line.warnings.insert(command_line.warnings.end(), bundle.unknown.notes.begin(), bundle.unknown.notes.end());
+  for (const std::string& note : bundle.unknown.notes)
+    command_line.warnings.push_back("bundle '" + bundle.name + "': " + note);
 }
 
 }  // namespace mesecina

@@ -9,11 +9,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/batch/bundle_library.h"
 #include "core/batch/bundle_option.h"
 #include "core/batch/style_option.h"
 #include "core/evolution.h"
 #include "core/formats/film.h"
+#include "core/formats/json_text.h"
 #include "core/formats/number.h"
+#include "core/formats/scene_json.h"
 #include "core/session_formats.h"
 
 namespace mesecina {
@@ -130,11 +133,12 @@ std::map<std::string, Style> read_styles(const std::vector<std::string>& changes
 }
 
 /// Explicit layers win over the bundle's.
-void use_bundle(Command_line& line, const Registry& registry, bool has_layers) {
+void use_bundle(Command_line& line, const Registry& registry, const std::filesystem::path& user_bundles,
+                bool has_layers) {
   const std::vector<std::string> layers = line.layers;
   const bool as_listed = line.as_listed;
   try {
-    take_bundle(line, read_bundle_option(*line.bundle, registry), registry);
+    take_bundle(line, read_bundle_option(*line.bundle, registry, user_bundles, line.warnings), registry);
   } catch (const std::exception& error) {
     throw Usage_error("--bundle: " + std::string(error.what()));
   }
@@ -265,11 +269,9 @@ View_2 read_view(const View_source& source, int width, int height) {
   View_2 view;
   if (const auto start = text.find_first_not_of(" \t\r\n"); start != std::string::npos && text[start] == '{') {
     try {
-      const auto json = nlohmann::json::parse(text);
-      view.center = {json.at("center").at(0).get<double>(), json.at("center").at(1).get<double>()};
-      view.scale = json.at("scale").get<double>();
-    } catch (const nlohmann::json::exception& error) {
-      throw Usage_error(source.name + ": expected {\"center\": [x, y], \"scale\": s}: " + error.what());
+      return view_2_from_json(parse_json(text), "the view");
+    } catch (const std::invalid_argument& error) {
+      throw Usage_error(source.name + ": " + error.what());
     }
   } else {
     std::vector<double> numbers;
@@ -352,9 +354,11 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--bundle", result.bundle,
-                 "Layers, looks, settings and view of a bundle: NAME (--list bundles), FILE or FILE#NAME. --layers, "
-                 "--set, --style and --view change them")
+  app.add_option(
+         "--bundle", result.bundle,
+         "Layers, looks, settings and view of a bundle: NAME (--list bundles), FILE or FILE#NAME; shipped:NAME as it "
+         "came with the program, where yours has that name too. --layers, --set, --style and --view change "
+         "them")
       ->allow_extra_args(false);
   app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
   app.add_option("--evolve", evolutions,
@@ -435,7 +439,9 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
       result.list = list;
       return result;
     }
-    if (!list.empty()) return Early_exit{exit_success, list_text(list, result.list_as_json, registry, formats)};
+    if (!list.empty())
+      return Early_exit{exit_success,
+                        list_text(list, result.list_as_json, registry, formats, user_bundle_file(program))};
     check_names("layer", result.layers, layer_ids(registry));
     check_names("format", result.formats, output_formats(formats));
     const bool has_layers = !result.layers.empty();
@@ -444,7 +450,7 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     if (app.count("--manual") > 0 && result.manual->empty())
       throw Usage_error("--manual: expected the name of a directory, found nothing");
     if (app.count("--session") > 0) take_session(result, session, registry);
-    if (result.bundle) use_bundle(result, registry, has_layers);
+    if (result.bundle) use_bundle(result, registry, user_bundle_file(program), has_layers);
     result.settings = read_settings(assignments, registry, result.settings);
     if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&
         !result.settings.find(evolution_seed_setting.id))

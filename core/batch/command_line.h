@@ -82,7 +82,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
                                                           const Registry& registry, const Formats& formats,
                                                           const std::vector<std::string>& color_maps);
 
-/// Text of --list WHAT: layers, settings, evolutions, bundles or formats.
-std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats);
+/// Text of --list WHAT: layers, settings, evolutions, bundles or formats. `user_bundles`: the file of the user's list.
+std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats,
+                      const std::filesystem::path& user_bundles);
 
 }  // namespace mesecina

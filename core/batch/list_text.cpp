@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "core/batch/bundle_library.h"
 #include "core/batch/command_line.h"
 #include "core/bundle.h"
 #include "core/formats/number.h"
@@ -55,15 +56,36 @@ Json list_evolutions(const Registry& registry) {
   return list;
 }
 
-Json list_bundles(const Registry& registry) {
+std::string padded(std::string text, std::size_t width) {
+  if (text.size() < width) text.resize(width, ' ');
+  return text + "  ";
+}
+
+Json list_bundles(const Bundle_library& library) {
+  constexpr const char* origins[] = {"shipped", "changed", "own"};
   Json list = Json::array();
-  for (const Bundle& bundle : shipped_bundles(registry)) {
+  for (const Known_bundle& known : library.bundles) {
+    const Bundle& bundle = known.bundle;
     Json layers = Json::array();
     for (const Layer_entry& layer : bundle.layers) layers.push_back(layer.id);
-    list.push_back(
-        {{"id", bundle_id(bundle.name)}, {"name", bundle.name}, {"layers", std::move(layers)}, {"help", bundle.help}});
+    list.push_back({{"id", bundle_id(bundle.name)},
+                    {"name", bundle.name},
+                    {"origin", origins[static_cast<std::size_t>(known.origin)]},
+                    {"layers", std::move(layers)},
+                    {"help", bundle.help}});
   }
   return list;
+}
+
+std::string bundles_text(const Bundle_library& library) {
+  constexpr std::size_t width = 28;
+  constexpr const char* marks[] = {"", "(changed by you) ", "(yours) "};
+  std::string text;
+  for (const auto& [bundle, origin] : library.bundles)
+    text += padded(bundle_id(bundle.name), width) + marks[static_cast<std::size_t>(origin)] +
+            (bundle.help.empty() ? bundle.name : bundle.help) + "\n";
+  if (!library.problem.empty()) text += "Yours are missing: " + library.problem + "\n";
+  return text;
 }
 
 Json list_formats(const Formats& formats) {
@@ -79,11 +101,6 @@ Json list_formats(const Formats& formats) {
   return list;
 }
 
-std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.resize(width, ' ');
-  return text + "  ";
-}
-
 std::string range_text(const Setting_spec& setting) {
   std::string text = "default " + to_text(setting.default_value);
   if (std::isfinite(setting.minimum)) text += ", from " + format_number(setting.minimum);
@@ -94,12 +111,13 @@ std::string range_text(const Setting_spec& setting) {
 
 }  // namespace
 
-std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats) {
+std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats,
+                      const std::filesystem::path& user_bundles) {
   if (as_json) {
     const Json list = what == "layers"       ? list_layers(registry)
                       : what == "settings"   ? list_settings(registry)
                       : what == "evolutions" ? list_evolutions(registry)
-                      : what == "bundles"    ? list_bundles(registry)
+                      : what == "bundles"    ? list_bundles(read_bundle_library(user_bundles, registry))
                                              : list_formats(formats);
     return list.dump(2) + "\n";
   }
@@ -114,8 +132,7 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
     for (const Setting_spec& setting : registry.settings())
       text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + setting.help + "\n";
   } else if (what == "bundles") {
-    for (const Bundle& bundle : shipped_bundles(registry))
-      text += padded(bundle_id(bundle.name), 28) + bundle.help + "\n";
+    text = bundles_text(read_bundle_library(user_bundles, registry));
   } else if (what == "evolutions") {
     for (const Evolution_spec& evolution : registry.evolutions())
       text += padded(evolution.id, 22) + evolution.help + "\n";

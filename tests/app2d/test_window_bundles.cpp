@@ -9,6 +9,8 @@
 #include <QtTest>
 
 #include "bundles/bundle_panel.h"
+#include "core/batch/bundle_library.h"
+#include "core/batch/bundle_option.h"
 #include "core/bundle.h"
 #include "geometries/modules_2.h"
 #include "window_fixture.h"
@@ -192,6 +194,31 @@ TEST_F(Window_bundles_test, AViewIsKeptOnlyWhenAsked) {
   ASSERT_NE(canvas().view(), view);
   window().bundles().apply(static_cast<int>(store().bundles().size()) - 1);
   EXPECT_EQ(canvas().view(), view);
+}
+
+TEST_F(Window_bundles_test, TheListIsTheOneThatCommandLinesRead) {
+  EXPECT_EQ(store().file().toStdString(), user_bundle_file("mesecina2d").string());
+  trigger("save-bundle");
+  EXPECT_EQ(text_after_rename("Figure 3"), "Figure 3");
+  std::vector<std::string> warnings;
+  const Bundle read = read_bundle_option("figure-3", *make_registry_2(), user_bundle_file("mesecina2d"), warnings);
+  EXPECT_EQ(read, store().bundles().back());
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(Window_bundles_test, WhatABundleOfTheCommandLineNamesInVainIsTold) {
+  const std::string file =
+      write("mine.json",
+            R"([{"name": "Mine", "layers": [{"id": "outline"}, {"id": "outlin"}], "settings": {"scal": 2}}])")
+          .toStdString();
+  const auto registry = make_registry_2();
+  const char* words[] = {"mesecina2d", "--bundle", file.c_str()};
+  const auto parsed = parse_command_line(3, words, "mesecina2d", *registry, planar_formats(), {});
+  open_window(startup_of(std::get<Command_line>(parsed)));
+  const QString told = window().messages().lines().join("\n");
+  EXPECT_TRUE(told.contains("bundle 'Mine'")) << told.toStdString();
+  EXPECT_TRUE(told.contains("there is no layer 'outlin'")) << told.toStdString();
+  EXPECT_TRUE(told.contains("there is no setting 'scal'")) << told.toStdString();
 }
 
 }  // namespace

@@ -7,6 +7,8 @@ unset DISPLAY WAYLAND_DISPLAY QT_QPA_PLATFORM
 work=$(mktemp -d)
 trap 'chmod -R u+rwx "$work"; rm -rf "$work"' EXIT
 cd "$work"
+# What the user of this machine keeps (bundles) is nobody's business here.
+export XDG_DATA_HOME=$work/.data
 
 fail() {
   echo "FAILED (line ${BASH_LINENO[*]}): $*" >&2

@@ -69,3 +69,42 @@ refuse "at most 1" future.json
 refuse "no bundle in it" empty.json
 refuse "cut.json: line 1: expected JSON" cut.json
 refuse "byte 0: expected the mark of a file of bundles 0xB3" old.bnd
+
+# The user's own list: its bundles go by their names, before those of the program, and what is taken from it is known
+# still.
+mkdir -p "$XDG_DATA_HOME/mesecina"
+list=$XDG_DATA_HOME/mesecina/mesecina2d-bundles.json
+cat >"$list" <<'END'
+{"format": "mesecina-bundles", "version": 1, "dimension": 2, "bundles": [
+  {"name": "Figure 3", "layers": [{"id": "outline", "style": {"color": "#ff0000"}}]},
+  {"name": "Scale axis", "layers": [{"id": "outline", "style": {"color": "#00ff00"}}]}]}
+END
+succeed --list bundles --json
+[ "$(jq length stdout)" -eq "$(($(jq length bundles.json) + 1))" ] || fail "expected all bundles and one more"
+expect_json stdout '.[0][0] | .id == "figure-3" and .origin == "own"'
+expect_json stdout '.[0][1] | .id == "scale-axis" and .origin == "changed"'
+expect_json stdout '.[0][2:] | all(.origin == "shipped")'
+succeed --list bundles
+expect_in stdout "(yours) Figure 3"
+succeed --nogui "$giraffe" --bundle "Figure 3" --formats svg --output own
+expect_in own/giraffe.svg "#ff0000"
+expect_empty stderr
+succeed --nogui "$giraffe" --bundle scale-axis --formats svg --output own
+expect_in own/giraffe.svg "#00ff00"
+expect_in stderr "is yours, from $list; the one of the program is 'shipped:scale-axis'"
+succeed --nogui "$giraffe" --bundle shipped:scale-axis --formats svg --output own
+expect_same own/giraffe.svg first-scale-axis/giraffe.svg
+expect_not_in stderr "yours"
+succeed --nogui "$giraffe" --bundle points --formats svg --output own
+expect_same own/giraffe.svg first-points/giraffe.svg
+refuse "did you mean 'figure-3'" figure-33
+refuse "unknown bundle 'figure-3'" shipped:figure-3
+# A broken list is told, stays as it is, and the shipped bundles go on.
+cp cut.json "$list"
+succeed --nogui "$giraffe" --bundle scale-axis --formats svg --output own
+expect_same own/giraffe.svg first-scale-axis/giraffe.svg
+expect_in stderr "$list: line 1: expected JSON"
+expect_same cut.json "$list"
+succeed --list bundles
+expect_in stdout "Yours are missing: $list"
+rm "$list"

@@ -65,6 +65,12 @@ refuse "--jobs" --nogui ellipse.xy --jobs 0
 refuse "--threads" --nogui ellipse.xy --threads many
 refuse "--list" --list everything
 refuse "--view" --nogui ellipse.xy --view missing.view
+refuse "--view: line 1: expected JSON" --nogui ellipse.xy --view '{"center": '
+refuse "--view: the view.scale: expected a positive number, found 0" --nogui ellipse.xy \
+  --view '{"center": [0, 1], "scale": 0}'
+refuse "--view: the view.center: expected two finite numbers [x, y], found [0]" --nogui ellipse.xy \
+  --view '{"center": [0], "scale": 1}'
+expect_not_in stderr json.exception
 refuse "--no-such-option" --nogui ellipse.xy --no-such-option
 
 # Two inputs that would write the same files.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/batch/bundle_library.h"
 #include "core/batch/bundle_option.h"
 #include "core/bundle.h"
 
@@ -133,6 +135,43 @@ TEST(Bundle, IsFoundByNameAndId) {
   EXPECT_EQ(find_bundle(bundles, "scale"), nullptr);
   EXPECT_EQ(free_name(bundles, "Mine"), "Mine 2");
   EXPECT_EQ(free_name(bundles, "Other"), "Other");
+}
+
+/// Gives an environment variable a value, null for none, as long as it lives.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    set(value);
+  }
+  ~Variable() { set(before_ ? before_->c_str() : nullptr); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  void set(const char* value) {
+    if (value)
+      setenv(name_, value, 1);
+    else
+      unsetenv(name_);
+  }
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST(Bundle_library, TheListIsWhereTheSystemKeepsData) {
+  const Variable home("HOME", "/home/somebody");
+  {
+    const Variable data("XDG_DATA_HOME", "/data");
+    EXPECT_EQ(user_bundle_file("mesecina2d"), "/data/mesecina/mesecina2d-bundles.json");
+  }
+  for (const char* nothing : {static_cast<const char*>(nullptr), "", "relative"}) {
+    const Variable data("XDG_DATA_HOME", nothing);
+    EXPECT_EQ(user_bundle_file("mesecina3d"), "/home/somebody/.local/share/mesecina/mesecina3d-bundles.json");
+  }
+  const Variable data("XDG_DATA_HOME", nullptr);
+  const Variable none("HOME", nullptr);
+  EXPECT_EQ(user_bundle_file("mesecina2d"), "");
 }
 
 }  // namespace
