@@ -156,7 +156,7 @@ void Main_window_2::make_view_commands() {
   commands_->add(picture_command([this] { return canvas_->size() * canvas_->devicePixelRatioF(); },
                                  [this](const QString& file, const QSize& size, bool is_transparent) {
                                    Film_frame frame = picture_frame(size, canvas_->size());
-                                   frame.scene.transparent_background = is_transparent;
+                                   frame.scene.transparent_background = is_transparent || is_without_background();
                                    files_->export_picture(file, std::move(frame), size);
                                  }));
 }

@@ -145,7 +145,7 @@ void Main_window_3::make_view_commands() {
   commands_->add(picture_command([this] { return (QSizeF(canvas_->size()) * canvas_->devicePixelRatioF()).toSize(); },
                                  [this](const QString& file, const QSize& size, bool is_transparent) {
                                    Scene scene = computation_.scene(background());
-                                   scene.transparent_background = is_transparent;
+                                   scene.transparent_background = is_transparent || is_without_background();
                                    files_->export_picture(file, {std::move(scene), {}, seen_view()}, size);
                                  }));
 }

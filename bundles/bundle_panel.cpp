@@ -20,7 +20,8 @@ namespace {
 constexpr int help_role = Qt::UserRole;
 constexpr int shown_role = Qt::UserRole + 1;
 constexpr int changed_role = Qt::UserRole + 2;
-constexpr int keys = 9;
+constexpr int key_role = Qt::UserRole + 3;
+constexpr int reason_role = Qt::UserRole + 4;
 constexpr int long_list = 12;
 
 /// A row: the key, the name, and the beginning of the help in small letters.
@@ -52,16 +53,18 @@ class Bundle_delegate : public QStyledItemDelegate {
     const auto [small_font, small_metrics] = small(option.font);
     const QRect inside = option.rect.adjusted(em / 2, em / 4, -em / 2, -em / 4);
     const QRect text = inside.adjusted(em, 0, 0, 0);
-    if (index.row() < keys) {
+    const QString reason = index.data(reason_role).toString();
+    const bool is_dimmed = !reason.isEmpty();
+    if (const int key = index.data(key_role).toInt(); key > 0) {
       painter->setFont(small_font);
       painter->setPen(subdued_text(palette));
       painter->drawText(QRect(inside.left(), inside.top(), em, em), Qt::AlignLeft | Qt::AlignVCenter,
-                        QString::number(index.row() + 1));
+                        QString::number(key));
     }
     QFont name_font = option.font;
     name_font.setBold(is_shown);
     painter->setFont(name_font);
-    painter->setPen(palette.color(QPalette::Text));
+    painter->setPen(is_dimmed ? subdued_text(palette) : palette.color(QPalette::Text));
     const QString mark = index.data(changed_role).toBool() ? Bundle_panel::tr("changed") : QString();
     const int room = mark.isEmpty() ? text.width() : text.width() - small_metrics.horizontalAdvance(mark) - em / 2;
     const QString name = QFontMetrics(name_font).elidedText(index.data().toString(), Qt::ElideRight, room);
@@ -69,9 +72,9 @@ class Bundle_delegate : public QStyledItemDelegate {
     painter->setFont(small_font);
     painter->setPen(subdued_text(palette));
     painter->drawText(QRect(text.left(), text.top(), text.width(), em), Qt::AlignRight | Qt::AlignVCenter, mark);
-    painter->drawText(QRect(text.left(), text.top() + em, text.width(), small_metrics.height()),
-                      Qt::AlignLeft | Qt::AlignVCenter,
-                      small_metrics.elidedText(index.data(help_role).toString(), Qt::ElideRight, text.width()));
+    painter->drawText(
+        QRect(text.left(), text.top() + em, text.width(), small_metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
+        small_metrics.elidedText(is_dimmed ? reason : index.data(help_role).toString(), Qt::ElideRight, text.width()));
     painter->restore();
   }
 
@@ -145,10 +148,8 @@ void Bundle_panel::set_bundles(const std::vector<Bundle>& bundles) {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsDragEnabled);
     const QString help = QString::fromStdString(bundle.help);
     item->setData(help_role, help);
-    const int number = list_->count();
-    const QString key = number <= keys ? tr(" (key %1)").arg(number) : QString();
-    item->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3").arg(item->text().toHtmlEscaped(), key, help.toHtmlEscaped()));
-    item->setData(Qt::AccessibleDescriptionRole, help);
+    item->setData(key_role, key_of(bundles, static_cast<std::size_t>(list_->count()) - 1));
+    explain(item);
   }
   is_filling_ = false;
   filter_->setVisible(list_->count() > long_list);
@@ -157,15 +158,37 @@ void Bundle_panel::set_bundles(const std::vector<Bundle>& bundles) {
   select(std::min(row, list_->count() - 1));
 }
 
+void Bundle_panel::set_reasons(const QStringList& reasons) {
+  is_filling_ = true;
+  for (int i = 0; i < list_->count() && i < reasons.size(); ++i) {
+    list_->item(i)->setData(reason_role, reasons[i]);
+    explain(list_->item(i));
+  }
+  is_filling_ = false;
+}
+
+void Bundle_panel::explain(QListWidgetItem* item) {
+  const int key = item->data(key_role).toInt();
+  const QString reason = item->data(reason_role).toString();
+  const QString help = item->data(help_role).toString();
+  const QString missing = reason.isEmpty() ? QString() : tr("Shows nothing now: %1.").arg(reason);
+  item->setToolTip(
+      QStringLiteral("<b>%1</b>%2<br>%3%4")
+          .arg(item->text().toHtmlEscaped(), key > 0 ? tr(" (key %1)").arg(key) : QString(), help.toHtmlEscaped(),
+               missing.isEmpty() ? QString() : QStringLiteral("<br><i>%1</i>").arg(missing.toHtmlEscaped())));
+  QStringList said;
+  if (item->data(changed_role).toBool()) said << tr("Shown, and changed since.");
+  if (!missing.isEmpty()) said << missing;
+  item->setData(Qt::AccessibleDescriptionRole, (said << help).join(QLatin1Char(' ')));
+}
+
 void Bundle_panel::set_shown(int row, bool is_changed) {
   is_filling_ = true;
   for (int i = 0; i < list_->count(); ++i) {
     QListWidgetItem* item = list_->item(i);
-    const bool has_changes = i == row && is_changed;
     item->setData(shown_role, i == row);
-    item->setData(changed_role, has_changes);
-    const QString help = item->data(help_role).toString();
-    item->setData(Qt::AccessibleDescriptionRole, has_changes ? tr("Shown, and changed since. %1").arg(help) : help);
+    item->setData(changed_role, i == row && is_changed);
+    explain(item);
   }
   is_filling_ = false;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <vector>
 
@@ -22,6 +23,8 @@ class Bundle_panel : public QWidget {
   explicit Bundle_panel(QWidget* parent = nullptr);
 
   void set_bundles(const std::vector<Bundle>& bundles);
+  /// One per bundle: why it has nothing to show now; empty where it has. Such rows are dimmed.
+  void set_reasons(const QStringList& reasons);
   /// Marks the row whose bundle is on screen, or was until something of it was changed; -1 for none.
   void set_shown(int row, bool is_changed = false);
   /// In a menu beside the filter, and where a bundle is clicked with the right button.
@@ -44,6 +47,7 @@ class Bundle_panel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  static void explain(QListWidgetItem* item);
   void tell_rename(const QListWidgetItem* item);
   void filter();
   void open_menu(const QPoint& position);

@@ -41,8 +41,24 @@ Bundle bundle_from_json(const Json& json, const Registry& registry, const std::s
     else
       bundle.view = view_2_from_json(*found, path + ".view");
   }
+  if (const std::string name = text_in(json, "background", path); !name.empty()) {
+    bundle.background = background_named(name);
+    if (!bundle.background) refuse_json(name, path + ".background", "\"paper\", \"dark\", \"window\" or \"none\"");
+  }
+  if (const auto found = json.find("key"); found != json.end()) {
+    if (!found->is_number_integer() || *found < 0 || *found > most_bundle_keys)
+      refuse_json(*found, path + ".key", "a digit, 0 for no key");
+    bundle.key = found->get<int>();
+  }
+  if (const auto found = json.find("needs"); found != json.end()) {
+    if (!found->is_array()) refuse_json(*found, path + ".needs", "an array of inputs");
+    for (const Json& input : *found) {
+      if (!input.is_string()) refuse_json(input, path + ".needs", "texts");
+      bundle.needs.push_back(input.get<std::string>());
+    }
+  }
   for (const auto& part : json.items()) {
-    constexpr std::array known = {"name", "help", "layers", "settings", "view"};
+    constexpr std::array known = {"name", "help", "layers", "settings", "view", "background", "key", "needs"};
     if (std::ranges::find(known, part.key()) == known.end())
       bundle.unknown.notes.push_back(path + ": '" + part.key() + "' means nothing");
   }
@@ -57,7 +73,17 @@ Json to_json(const Bundle& bundle) {
   json["settings"] = settings_to_json(bundle.settings, bundle.unknown.settings);
   if (bundle.view) json["view"] = view_to_json(*bundle.view);
   if (bundle.view_3) json["view"] = view_to_json(*bundle.view_3);
+  if (bundle.background) json["background"] = name_of(*bundle.background);
+  if (bundle.key) json["key"] = *bundle.key;
+  if (!bundle.needs.empty()) json["needs"] = bundle.needs;
   return json;
+}
+
+/// With its article.
+std::string input_name(const std::string& id) {
+  if (id == cloud_input.id) return "points";
+  const bool is_one = id == mesh_input.id || id == outline_input.id || id == image_input.id;
+  return is_one ? (id == mesh_input.id ? "a " : "an ") + id : id;
 }
 
 /// The same in the newest version. Before version 1 files were a bare list, or one bundle.
@@ -132,6 +158,36 @@ std::string free_name(const std::vector<Bundle>& bundles, const std::string& nam
   std::string candidate = name;
   for (int i = 2; is_taken(candidate); ++i) candidate = name + " " + std::to_string(i);
   return candidate;
+}
+
+int key_of(const std::vector<Bundle>& bundles, std::size_t place) {
+  for (int key = 1; key <= most_bundle_keys; ++key)
+    if (place_with_key(bundles, key) == place) return key;
+  return 0;
+}
+
+std::optional<std::size_t> place_with_key(const std::vector<Bundle>& bundles, int key) {
+  if (key < 1 || key > most_bundle_keys) return std::nullopt;
+  for (std::size_t place = 0; place < bundles.size(); ++place)
+    if (bundles[place].key == key) return place;
+  const std::size_t usual = static_cast<std::size_t>(key) - 1;
+  if (usual < bundles.size() && !bundles[usual].key) return usual;
+  return std::nullopt;
+}
+
+void give_key(std::vector<Bundle>& bundles, std::size_t place, std::optional<int> key) {
+  for (Bundle& bundle : bundles)
+    if (key && *key > 0 && bundle.key == key) bundle.key.reset();
+  bundles.at(place).key = key;
+}
+
+std::string missing_input_text(const std::vector<std::string>& needs, const Inputs& inputs) {
+  const auto is_there = [&](const std::string& id) { return inputs.identity(id) != nullptr; };
+  if (inputs.is_empty() || needs.empty() || std::ranges::any_of(needs, is_there)) return {};
+  std::string text;
+  for (const std::string& id : needs)
+    text += (text.empty() ? "needs " : &id == &needs.back() ? " or " : ", ") + input_name(id);
+  return text;
 }
 
 std::string bundles_to_text(const std::vector<Bundle>& bundles, const Registry& registry) {

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/canvas_background.h"
 #include "core/formats/scene_json.h"
+#include "core/inputs.h"
 #include "core/layer_list.h"
 #include "core/registry.h"
 #include "core/settings.h"
@@ -18,12 +20,16 @@ namespace mesecina {
 /// A named preset: which layers are seen, in which order and looks, with which settings.
 struct Bundle {
   std::string name;
-  std::string help;              ///< what it shows, and the paper
-  Layer_list layers;             ///< bottom to top; all others are switched off by it
-  Settings settings;             ///< those that it sets, also to their defaults; others stay as they are
-  std::optional<View_2> view;    ///< of a program in the plane; absent: the view stays
-  std::optional<View_3> view_3;  ///< of a program in space
-  Unknown_parts unknown;         ///< what it names that this program does not have
+  std::string help;                             ///< what it shows, and the paper
+  Layer_list layers;                            ///< bottom to top; all others are switched off by it
+  Settings settings;                            ///< those that it sets, also to their defaults; others stay as they are
+  std::optional<View_2> view;                   ///< of a program in the plane; absent: the view stays
+  std::optional<View_3> view_3;                 ///< of a program in space
+  std::optional<Canvas_background> background;  ///< absent: it stays
+  /// The digit that shows it; 0: none; absent: its place in the list, where no other bundle has that digit.
+  std::optional<int> key;
+  std::vector<std::string> needs;  ///< ids of inputs; without any of them it shows nothing. None: it can do with all
+  Unknown_parts unknown;           ///< what it names that this program does not have
   bool operator==(const Bundle&) const = default;
 };
 
@@ -48,8 +54,23 @@ const Bundle* find_bundle(const std::vector<Bundle>& bundles, std::string_view n
 /// `name`, with a number behind it if one of the bundles has that name or its id.
 std::string free_name(const std::vector<Bundle>& bundles, const std::string& name);
 
+/// Of the digits 1 to this one each may show a bundle.
+inline constexpr int most_bundle_keys = 9;
+/// The digit that shows the bundle in this place of the list; 0 for none.
+int key_of(const std::vector<Bundle>& bundles, std::size_t place);
+/// The place of the bundle that the digit shows; absent for none.
+std::optional<std::size_t> place_with_key(const std::vector<Bundle>& bundles, int key);
+/// Gives the bundle in this place the digit, 0 for none, or none of its own; of two that are given the same the first
+/// one loses it.
+void give_key(std::vector<Bundle>& bundles, std::size_t place, std::optional<int> key);
+
+/// Why a bundle with these `needs` has nothing to show of these inputs: "needs points or a mesh"; empty when there is
+/// no such reason, and without any inputs.
+std::string missing_input_text(const std::vector<std::string>& needs, const Inputs& inputs);
+
 /// The text of a file of bundles: {"format": "mesecina-bundles", "version": 1, "dimension": 2, "bundles": [{"name":
-/// ..., "help": ..., "layers": [...], "settings": {...}, "view": ...}]}.
+/// ..., "help": ..., "layers": [...], "settings": {...}, "view": ..., "background": "dark", "key": 4, "needs":
+/// ["points", ...]}]}; a bundle needs a name only.
 std::string bundles_to_text(const std::vector<Bundle>& bundles, const Registry& registry);
 /// Reads it; a bundle alone, without the frame, is read too. Throws std::invalid_argument with place, expected and
 /// found for another text, another dimension and a version of the future.

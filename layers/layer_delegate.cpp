@@ -69,7 +69,8 @@ Row_layout lay_out(const QModelIndex& index, const QRect& rectangle, const QFont
   const bool is_stage = index.data(Layer_model::is_stage_role).toBool();
   if (!is_stage) {
     const auto state = static_cast<State>(index.data(Layer_model::state_role).toInt());
-    if (state == State::computing || state == State::stale || state == State::failed) add_badge(result.state);
+    const bool is_alarming = state == State::failed && !index.data(Layer_model::is_input_missing_role).toBool();
+    if (state == State::computing || state == State::stale || is_alarming) add_badge(result.state);
     if (!index.data(Layer_model::warnings_role).toStringList().isEmpty()) add_badge(result.warning);
   }
   const double left = result.swatch.right() + gap;
@@ -198,13 +199,14 @@ void Layer_delegate::paint_layer(QPainter& painter, const QStyleOptionViewItem& 
   draw_elided(painter, parts.text, index.data().toString(), option.font, is_dimmed ? subdued : color);
   const QColor failure = is_selected(option) ? color : failure_color(option.palette);
   const QColor warning = is_selected(option) ? color : warning_color(option.palette);
+  const bool is_quiet = index.data(Layer_model::is_input_missing_role).toBool();
   if (!parts.reason.isEmpty()) {
     draw_elided(painter, parts.reason, index.data(Layer_model::reason_role).toString(), small_font(option.font),
-                failure);
+                is_quiet ? subdued : failure);
   }
   if (state == State::computing) paint_spinner(painter, parts.state, color, phase_);
   if (state == State::stale) paint_clock(painter, parts.state, subdued);
-  if (state == State::failed) paint_failure(painter, parts.state, failure, base);
+  if (state == State::failed && !is_quiet) paint_failure(painter, parts.state, failure, base);
   if (!parts.warning.isEmpty()) paint_warning(painter, parts.warning, warning, base);
   painter.setFont(small_font(option.font));
   painter.setPen(subdued);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "layers/missing_input.h"
 #include "layers/panel_paint.h"
 
 namespace mesecina {
@@ -182,6 +183,7 @@ QVariant Layer_model::layer_data(const Layer_entry& entry, int role) const {
   static const Layer_status unknown;
   const auto it = statuses_.find(entry.id);
   const Layer_status& status = it == statuses_.end() ? unknown : it->second;
+  const bool is_failed = status.state == Layer_status::State::failed;
   switch (role) {
     case Qt::DisplayRole:
       return QString::fromStdString(spec.label);
@@ -204,11 +206,13 @@ QVariant Layer_model::layer_data(const Layer_entry& entry, int role) const {
       return is_known && status.state != Layer_status::State::failed ? grouped_count(status.count) : QString();
     }
     case state_role:
-      return static_cast<int>(status.state);
+      return static_cast<int>(is_failed && !entry.style.visible ? Layer_status::State::not_computed : status.state);
     case reason_role:
-      return status.state == Layer_status::State::failed ? status.reason : QString();
+      return is_failed && entry.style.visible ? status.reason : QString();
+    case is_input_missing_role:
+      return is_failed && is_input_missing(status.reason);
     case warnings_role:
-      return status.warnings;
+      return entry.style.visible ? status.warnings : QStringList();
     case search_role:
       return QStringList{QString::fromStdString(spec.label), QString::fromStdString(spec.id),
                          QString::fromStdString(spec.help)}

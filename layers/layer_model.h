@@ -23,9 +23,10 @@ class Layer_model : public QAbstractItemModel {
     is_stage_role,           ///< bool
     style_role,              ///< Style of a layer
     count_role,              ///< QString: elements of a layer, "visible / all" of a stage; empty where unknown
-    state_role,              ///< int: a Layer_status::State
-    reason_role,             ///< QString: why the layer failed; empty else
-    warnings_role,           ///< QStringList
+    state_role,              ///< int: a Layer_status::State; a hidden layer never failed
+    reason_role,             ///< QString: why the visible layer failed; empty else
+    is_input_missing_role,   ///< bool: it failed only because there is no input of the kind that it is about
+    warnings_role,           ///< QStringList; none of a hidden layer
     is_interleaved_role,     ///< bool: of a stage
     search_role,             ///< QString: what the filter looks into
   };

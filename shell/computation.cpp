@@ -62,11 +62,10 @@ Scene Computation::scene(Color background) const {
   for (const Layer_entry& entry : document_.layers()) {
     const Layer_spec* spec = registry_->find_layer(entry.id);
     if (!spec) continue;
-    Scene_layer layer{entry.id, spec->label, primitives(entry.id), registry_->cut(*spec, document_.settings()),
-                      entry.style};
-    layer.style.color = visible_on(background, layer.style.color);
-    scene.layers.push_back(std::move(layer));
+    scene.layers.push_back(
+        {entry.id, spec->label, primitives(entry.id), registry_->cut(*spec, document_.settings()), entry.style});
   }
+  make_visible_on_background(scene);
   return scene;
 }
 

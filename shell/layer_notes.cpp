@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "layers/color_bars.h"
+#include "layers/missing_input.h"
 
 namespace mesecina {
 
@@ -19,10 +20,7 @@ constexpr double least_share = 0.6;
 
 }  // namespace
 
-bool is_worth_a_note(const QString& reason) {
-  return !reason.isEmpty() && !reason.startsWith(QLatin1String("there is no")) &&
-         !reason.startsWith(QLatin1String("there are no"));
-}
+bool is_worth_a_note(const QString& reason) { return !reason.isEmpty() && !is_input_missing(reason); }
 
 Layer_notes::Layer_notes(QWidget* canvas) : QLabel(canvas) {
   setObjectName(QStringLiteral("layer-notes"));

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "bundles/bundle_panel.h"
+#include "layers/panel_paint.h"
 #include "shell/preferences.h"
 #include "shell/session_state.h"
 #include "shell/setting_values.h"
@@ -40,7 +41,8 @@ struct Background_choice {
 };
 constexpr Background_choice background_choices[] = {{Canvas_background::paper, "background-paper"},
                                                     {Canvas_background::dark, "background-dark"},
-                                                    {Canvas_background::window, "background-window"}};
+                                                    {Canvas_background::window, "background-window"},
+                                                    {Canvas_background::none, "background-none"}};
 
 }  // namespace
 
@@ -247,15 +249,20 @@ void Program_window::make_layer_actions() {
   });
 }
 
-void Program_window::make_bundle_actions() { bundles_->make_actions(*actions_, bundles_dock_, common_files_); }
+void Program_window::make_bundle_actions() {
+  bundles_->make_actions(*actions_, bundles_dock_, common_files_);
+  bundles_->set_background_access([this] { return background_; },
+                                  [this](Canvas_background background) { show_background(background); });
+}
 
 void Program_window::add_bundle_menu(QMenu* view) const {
   QMenu* menu = view->addMenu(tr("&Bundles"));
   QStringList ids;
   for (int i = 1; i <= 9; ++i) ids << QStringLiteral("bundle-%1").arg(i);
   ids << QStringLiteral("-");
-  actions_->add_to(menu, ids + QStringList{"save-bundle", "save-bundle-with-view", "update-bundle", "rename-bundle",
-                                           "delete-bundle", "-", "import-bundles", "export-bundles", "reset-bundles"});
+  actions_->add_to(menu, ids + QStringList{"save-bundle", "save-bundle-with-view", "update-bundle", "rename-bundle"});
+  menu->addMenu(bundles_->key_menu());
+  actions_->add_to(menu, {"delete-bundle", "-", "import-bundles", "export-bundles", "reset-bundles"});
 }
 
 void Program_window::make_look_actions() {
@@ -278,6 +285,9 @@ void Program_window::make_look_actions() {
              [this] { set_background(Canvas_background::dark); });
   add_choice(backgrounds, "background-window", tr("Like the &window"), tr("Canvas in the colour of the window"),
              [this] { set_background(Canvas_background::window); });
+  add_choice(backgrounds, "background-none", tr("&None in pictures"),
+             tr("White canvas; pictures that are saved or copied are transparent"),
+             [this] { set_background(Canvas_background::none); });
   QAction* full = actions_->add(group,
                                 {QStringLiteral("full-screen"),
                                  tr("F&ull screen"),
@@ -352,6 +362,7 @@ Startup startup_of(const Command_line& command_line) {
                   command_line.as_listed};
   startup.evolutions = command_line.evolutions;
   startup.warnings = command_line.warnings;
+  startup.background = command_line.background;
   const bool brings_data =
       command_line.session && command_line.files == std::vector{command_line.session_file.value_or("")};
   if (command_line.view) startup.seen = Seen_2{*command_line.view, command_line.width, command_line.height};
@@ -407,7 +418,10 @@ void Program_window::start(const Startup& startup, const QString& usual_layer) {
   settings_panel_->set_settings(document_.settings());
   layer_panel_->select({startup.layers.empty() ? usual_layer : topmost_visible(document_.layers())});
   show_title();
-  show_scene();
+  if (startup.background)
+    show_background(*startup.background);
+  else
+    show_scene();
   for (const std::string& warning : startup.warnings)
     messages_->add(Message_bar::Kind::warning, QString::fromStdString(warning));
   QStringList paths;
@@ -431,14 +445,20 @@ void Program_window::start(const Startup& startup, const QString& usual_layer) {
 
 void Program_window::show_notes() {
   std::vector<Layer_notes::Note> notes;
+  std::vector<Layer_notes::Note> missing_inputs;
+  bool is_anything_seen = false;
   const Layer_list& layers = document_.layers();
   for (auto entry = layers.rbegin(); entry != layers.rend() && !document_.inputs().is_empty(); ++entry) {
     const Layer_spec* spec = registry_->find_layer(entry->id);
     if (!entry->style.visible || !spec) continue;
     const QString reason = computation_.status(entry->id).reason;
-    if (is_worth_a_note(reason))
-      notes.push_back({QString::fromStdString(entry->id), QString::fromStdString(spec->label), reason});
+    if (!reason.isEmpty())
+      (is_worth_a_note(reason) ? notes : missing_inputs)
+          .push_back({QString::fromStdString(entry->id), QString::fromStdString(spec->label), reason});
+    const auto primitives = computation_.primitives(entry->id);
+    is_anything_seen = is_anything_seen || (primitives && primitives->element_count() > 0);
   }
+  if (notes.empty() && !is_anything_seen) notes = std::move(missing_inputs);
   notes_->set_notes(std::move(notes), background());
 }
 
@@ -482,7 +502,9 @@ void Program_window::open_popover(Popover* popover) {
   });
 }
 
-Color Program_window::background() const { return canvas_color(background_, palette()); }
+Color Program_window::background() const {
+  return canvas_color(background_, from_qcolor(palette().color(QPalette::Window)));
+}
 
 void Program_window::set_theme(Theme theme) {
   themes_.apply(theme);
@@ -492,14 +514,20 @@ void Program_window::set_theme(Theme theme) {
     if (choice.theme == theme) Preferences(program_).set_value(QStringLiteral("theme"), QLatin1String(choice.id));
 }
 
-void Program_window::set_background(Canvas_background background) {
+void Program_window::show_background(Canvas_background background) {
+  if (is_without_background() != (background == Canvas_background::none))
+    picture_wish_.is_transparent = background == Canvas_background::none;
   background_ = background;
-  for (const Background_choice& choice : background_choices) {
-    const bool is_chosen = choice.background == background;
-    (*actions_)[QLatin1String(choice.id)]->setChecked(is_chosen);
-    if (is_chosen) Preferences(program_).set_value(QStringLiteral("background"), QLatin1String(choice.id));
-  }
+  for (const Background_choice& choice : background_choices)
+    (*actions_)[QLatin1String(choice.id)]->setChecked(choice.background == background);
   show_scene();
+}
+
+void Program_window::set_background(Canvas_background background) {
+  show_background(background);
+  for (const Background_choice& choice : background_choices)
+    if (choice.background == background)
+      Preferences(program_).set_value(QStringLiteral("background"), QLatin1String(choice.id));
 }
 
 void Program_window::restore() {
@@ -515,7 +543,7 @@ void Program_window::restore() {
   for (const Theme_choice& choice : theme_choices)
     if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
   for (const Background_choice& choice : background_choices)
-    if (background == QLatin1String(choice.id)) set_background(choice.background);
+    if (background == QLatin1String(choice.id)) show_background(choice.background);
   restore_evolution();
 }
 

@@ -70,9 +70,10 @@ struct Startup {
   /// None: all of the data.
   std::optional<Seen_2> seen = {};
   std::optional<Seen_3> seen_3 = {};
-  std::vector<Evolution_order> evolutions = {};  ///< that the data goes through, one after the other
-  std::shared_ptr<const Session> session = {};   ///< shown in place of the example; null for none
-  std::vector<std::string> warnings = {};        ///< of what was read for it, for the bar of messages
+  std::vector<Evolution_order> evolutions = {};      ///< that the data goes through, one after the other
+  std::shared_ptr<const Session> session = {};       ///< shown in place of the example; null for none
+  std::optional<Canvas_background> background = {};  ///< none: the user's usual one
+  std::vector<std::string> warnings = {};            ///< of what was read for it, for the bar of messages
 };
 
 /// What a command line asks for: its session with what else it says, where the session brings the data.
@@ -181,6 +182,8 @@ class Program_window : public QMainWindow {
   void show_facts_text(const QString& text);
   void open_popover(Popover* popover);
   Color background() const;
+  /// Whether pictures are to have no background unless it is asked for.
+  bool is_without_background() const { return background_ == Canvas_background::none; }
   /// Shows document, panels and files for the first time.
   void start(const Startup& startup, const QString& usual_layer);
 
@@ -241,6 +244,8 @@ class Program_window : public QMainWindow {
   void load_settings(const QString& path);
   void set_theme(Theme theme);
   void set_background(Canvas_background background);
+  /// For now: the user's usual one stays what it is.
+  void show_background(Canvas_background background);
   bool may_close();
   void make_bundle_commands();
   void make_evolution_commands();

@@ -2,11 +2,9 @@
 #include "shell/theme.h"
 
 #include <QApplication>
-#include <QColor>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QStyleOption>
-#include <cmath>
 #include <memory>
 
 #include "layers/panel_paint.h"
@@ -76,15 +74,6 @@ class Framed_boxes : public QProxyStyle {
   }
 };
 
-/// Relative luminance after WCAG 2.
-double luminance(Color color) {
-  const auto linear = [](std::uint8_t component) {
-    const double c = component / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
-}
-
 }  // namespace
 
 Theme_switch::Theme_switch() : system_style_(QApplication::style()->name()), system_palette_(QApplication::palette()) {}
@@ -99,31 +88,6 @@ void Theme_switch::apply(Theme theme) {
   QApplication::setPalette(theme == Theme::light  ? palette_of(light_tones)
                            : theme == Theme::dark ? palette_of(dark_tones)
                                                   : system_palette_);
-}
-
-Color canvas_color(Canvas_background background, const QPalette& palette) {
-  switch (background) {
-    case Canvas_background::paper:
-      return {255, 255, 255};
-    case Canvas_background::dark:
-      return {24, 26, 30};
-    case Canvas_background::window:
-      break;
-  }
-  return from_qcolor(palette.color(QPalette::Window));
-}
-
-Color visible_on(Color background, Color color) {
-  const auto contrast = [&](Color c) {
-    const double a = luminance(c) + 0.05;
-    const double b = luminance(background) + 0.05;
-    return a > b ? a / b : b / a;
-  };
-  constexpr double least_contrast = 3;
-  constexpr double dark_background = 0.2;
-  if (luminance(background) > dark_background || contrast(color) >= least_contrast) return color;
-  const QColor hsl = to_qcolor(color).toHsl();
-  return from_qcolor(QColor::fromHslF(hsl.hslHueF(), hsl.hslSaturationF(), 1 - hsl.lightnessF()));
 }
 
 }  // namespace mesecina

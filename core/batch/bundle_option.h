@@ -20,8 +20,8 @@ std::vector<Bundle> read_bundle_file(const std::filesystem::path& file, const Re
 Bundle read_bundle_option(const std::string& text, const Registry& registry, const std::filesystem::path& user_file,
                           std::vector<std::string>& warnings);
 
-/// Gives the command line the bundle's layers in their order, looks, settings and view, and its notes as warnings. What
-/// was in the command line before goes.
+/// Gives the command line the bundle's layers in their order, looks, settings, view and background, and its notes as
+/// warnings. What was in the command line before goes.
 void take_bundle(Command_line& command_line, const Bundle& bundle, const Registry& registry);
 
 }  // namespace mesecina

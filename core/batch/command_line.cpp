@@ -354,11 +354,11 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option(
-         "--bundle", result.bundle,
-         "Layers, looks, settings and view of a bundle: NAME (--list bundles), FILE or FILE#NAME; shipped:NAME as it "
-         "came with the program, where yours has that name too. --layers, --set, --style and --view change "
-         "them")
+  app.add_option("--bundle", result.bundle,
+                 "Layers, looks, settings, view and background of a bundle: NAME (--list bundles), FILE or FILE#NAME; "
+                 "shipped:NAME as it "
+                 "came with the program, where yours has that name too. --layers, --set, --style and --view change "
+                 "them")
       ->allow_extra_args(false);
   app.add_option("--set", assignments, "A setting: ID=VALUE, repeatable (--list settings)")->allow_extra_args(false);
   app.add_option("--evolve", evolutions,
@@ -378,7 +378,13 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   app.add_option("--size", size, "Size of pictures in pixels, WIDTHxHEIGHT")->capture_default_str();
   app.add_option("--view", view, "What pictures and the window show: a view file or its text, or 'fit'")
       ->capture_default_str();
-  app.add_flag("--transparent", result.transparent_background, "Pictures have no background");
+  std::string background;
+  app.add_option("--background", background,
+                 "Of pictures and the window: paper, dark, window (its colour; in pictures the light one) or none. "
+                 "On dark ones dark colours are lightened")
+      ->check(CLI::IsMember({"paper", "dark", "window", "none"}))
+      ->default_str("paper");
+  app.add_flag("--transparent", result.transparent_background, "Pictures have no background, as --background none");
   app.add_option(
       "--record", recording.file,
       "With --nogui, a film: NAME.mp4, NAME.webm, NAME.gif or numbered pictures, NAME-%05d.png. Frames are the "
@@ -455,6 +461,8 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     if (app.count("--seed") > 0 && registry.find_setting(evolution_seed_setting.id) &&
         !result.settings.find(evolution_seed_setting.id))
       result.settings = result.settings.with(evolution_seed_setting.id, static_cast<std::int64_t>(result.seed));
+    if (!background.empty()) result.background = background_named(background);
+    if (result.background == Canvas_background::none) result.transparent_background = true;
     result.evolutions = read_evolutions(evolutions, registry);
     result.styles = read_styles(result.style_changes, registry, color_maps, result.styles);
     if (result.as_listed && result.layers.empty() && !result.session) throw Usage_error("--as-listed needs --layers");

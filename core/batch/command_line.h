@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/batch/recording.h"
+#include "core/canvas_background.h"
 #include "core/formats/format.h"
 #include "core/registry.h"
 #include "core/session.h"
@@ -46,16 +47,18 @@ struct Command_line {
   std::shared_ptr<const Session> session;  ///< of that file; what it says is in the other members already
   bool as_listed = false;                  ///< pictures: `layers` from bottom to top, not in the order of the registry
   std::optional<std::string> bundle;       ///< as it was given
+  std::vector<std::string> bundle_needs;   ///< Bundle::needs of it
   std::vector<std::string> warnings;       ///< of what was read with it
   std::filesystem::path output = "out";
   std::vector<std::string> formats = {"json"};  ///< none where only a film is wanted
   int width = 1200;                             ///< of pictures, in pixels
   int height = 900;
-  std::optional<View_2> view;           ///< in the plane, of a picture of that size; absent: fit
-  std::optional<View_3> view_3;         ///< in space; absent: fit
-  std::vector<Camera_3> key_frames;     ///< in space: the camera path that came with the view
-  bool transparent_background = false;  ///< of pictures
-  std::optional<Recording> recording;   ///< a film of each input
+  std::optional<View_2> view;                        ///< in the plane, of a picture of that size; absent: fit
+  std::optional<View_3> view_3;                      ///< in space; absent: fit
+  std::vector<Camera_3> key_frames;                  ///< in space: the camera path that came with the view
+  std::optional<Canvas_background> background = {};  ///< of pictures and the window; absent: paper, or the user's usual
+  bool transparent_background = false;               ///< of pictures, whatever `background` is
+  std::optional<Recording> recording;                ///< a film of each input
   std::optional<std::filesystem::path> stats;
   int jobs = 1;
   bool resume = false;

@@ -102,8 +102,9 @@ std::string Film_maker::make(const fs::path& file, const std::vector<Evolution_s
   const int width = command_line_.width;
   const int height = command_line_.height;
   const int count = frames(static_cast<int>(states.size()));
-  const std::unique_ptr<Film> film =
-      formats_.make_film({file, width, height, recording_.frames_per_second, command_line_.transparent_background});
+  const std::unique_ptr<Film> film = formats_.make_film(
+      {file, width, height, recording_.frames_per_second, command_line_.transparent_background,
+       canvas_color(command_line_.background.value_or(Canvas_background::paper), light_window_color)});
   Box box;
   for (const Evolution_state& state : states) box.add(bounding_box(state.inputs));
   const View_2 view = command_line_.view.value_or(fit_view(box, width, height));

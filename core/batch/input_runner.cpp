@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/batch/scene.h"
+#include "core/bundle.h"
 #include "core/evolution.h"
 #include "core/formats/scene_json.h"
 
@@ -68,6 +69,7 @@ std::string Input_runner::fingerprint(const fs::path& file) const {
     json["view"] = {command_line_.view->center.x, command_line_.view->center.y, command_line_.view->scale};
   if (command_line_.view_3) json["view"] = to_json(*command_line_.view_3);
   json["transparent"] = command_line_.transparent_background;
+  if (command_line_.background) json["background"] = name_of(*command_line_.background);
   for (const auto& [id, value] : all_settings(*registry_, command_line_.settings))
     json["settings"][id] = to_text(value);
   for (const Evolution_order& order : command_line_.evolutions) json["evolutions"].push_back({order.id, order.steps});
@@ -238,6 +240,8 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, const 
     statistics.seconds["read"] = seconds_since(start);
     statistics.warnings = std::move(contents.warnings);
     statistics.counts = count_inputs(contents.inputs);
+    if (const std::string reason = missing_input_text(command_line_.bundle_needs, contents.inputs); !reason.empty())
+      statistics.warnings.push_back("bundle " + *command_line_.bundle + ": " + reason);
     Progress progress(stop, {}, threads);
     if (uses_folder()) folder_.begin(file);
     Evolution_state state{std::move(contents.inputs), command_line_.settings};

@@ -28,6 +28,7 @@ Scene make_scene(const Registry& registry, const Command_line& command_line, con
   }
   Scene scene;
   scene.transparent_background = command_line.transparent_background;
+  scene.background = canvas_color(command_line.background.value_or(Canvas_background::paper), light_window_color);
   for (const Layer_spec* layer : layers) {
     const auto changed = command_line.styles.find(layer->id);
     Scene_layer entry{layer->id, layer->label, primitives(layer->id), registry.cut(*layer, settings),
@@ -35,6 +36,7 @@ Scene make_scene(const Registry& registry, const Command_line& command_line, con
     entry.style.visible = true;
     scene.layers.push_back(std::move(entry));
   }
+  make_visible_on_background(scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPointer>
 #include <QtTest>
 
@@ -194,6 +195,98 @@ TEST_F(Window_bundles_test, AViewIsKeptOnlyWhenAsked) {
   ASSERT_NE(canvas().view(), view);
   window().bundles().apply(static_cast<int>(store().bundles().size()) - 1);
   EXPECT_EQ(canvas().view(), view);
+}
+
+TEST_F(Window_bundles_test, ADigitIsGivenToAnyOneAndUndone) {
+  trigger("save-bundle");
+  const std::size_t last = store().bundles().size() - 1;
+  EXPECT_EQ(key_of(store().bundles(), last), 0);
+  press(Qt::Key_1);
+  panel().select(static_cast<int>(last));
+  trigger("bundle-key-4");
+  EXPECT_EQ(key_of(store().bundles(), last), 4);
+  EXPECT_EQ(key_of(store().bundles(), 3), 0);
+  EXPECT_TRUE(window().actions()["bundle-4"]->text().contains("My bundle"));
+  EXPECT_TRUE(list()->item(static_cast<int>(last))->toolTip().contains("key 4"));
+  EXPECT_FALSE(list()->item(3)->toolTip().contains("key"));
+  canvas().setFocus();
+  press(Qt::Key_4);
+  EXPECT_TRUE(is_on_screen(store().bundles()[last]));
+  EXPECT_EQ(document().history().undoText(), "Bundle 'My bundle'");
+  const std::vector<Bundle> kept = store().bundles();
+  open_window();
+  EXPECT_EQ(store().bundles(), kept);
+  panel().select(static_cast<int>(last));
+  trigger("bundle-key-none");
+  EXPECT_EQ(key_of(store().bundles(), last), 0);
+  EXPECT_EQ(key_of(store().bundles(), 3), 4);
+  document().history().undo();
+  EXPECT_EQ(key_of(store().bundles(), last), 4);
+  trigger("bundle-key-usual");
+  EXPECT_EQ(store().bundles()[last].key, std::nullopt);
+}
+
+TEST_F(Window_bundles_test, TheMenuOfKeysShowsTheKeyThatOneHas) {
+  panel().select(2);
+  trigger("bundle-key-7");
+  Q_EMIT window().bundles().key_menu()->aboutToShow();
+  EXPECT_TRUE(window().actions()["bundle-key-7"]->isChecked());
+  panel().select(0);
+  Q_EMIT window().bundles().key_menu()->aboutToShow();
+  EXPECT_FALSE(window().actions()["bundle-key-7"]->isChecked());
+  EXPECT_TRUE(window().actions()["bundle-key-usual"]->isChecked());
+}
+
+TEST_F(Window_bundles_test, TheBackgroundComesWithTheViewAndIsUndone) {
+  trigger("background-dark");
+  trigger("save-bundle");
+  EXPECT_FALSE(store().bundles().back().background);
+  trigger("save-bundle-with-view");
+  EXPECT_EQ(store().bundles().back().background, Canvas_background::dark);
+  trigger("background-paper");
+  const Document_state before = document().state();
+  const int steps = document().history().index();
+  window().bundles().apply(static_cast<int>(store().bundles().size()) - 1);
+  EXPECT_TRUE(window().actions()["background-dark"]->isChecked());
+  EXPECT_EQ(document().history().index(), steps + 1);
+  document().history().undo();
+  EXPECT_TRUE(window().actions()["background-paper"]->isChecked());
+  EXPECT_EQ(document().layers(), before.layers);
+  document().history().redo();
+  EXPECT_TRUE(window().actions()["background-dark"]->isChecked());
+  // It is what the bundle shows, not what the user wants from now on.
+  open_window();
+  EXPECT_TRUE(window().actions()["background-paper"]->isChecked());
+  panel().select(static_cast<int>(store().bundles().size()) - 1);
+  trigger("background-none");
+  trigger("update-bundle");
+  EXPECT_EQ(store().bundles().back().background, Canvas_background::none);
+}
+
+TEST_F(Window_bundles_test, WithoutABackgroundPicturesAreTransparent) {
+  const auto corner = [&](const char* name) {
+    window().commands().run({"export-picture", folder_.filePath(name)});
+    EXPECT_TRUE(wait_until([&] { return !window().has_file_jobs(); }));
+    return qAlpha(QImage(folder_.filePath(name)).pixel(0, 0));
+  };
+  EXPECT_EQ(corner("paper.png"), 255);
+  trigger("background-none");
+  EXPECT_EQ(corner("none.png"), 0);
+  trigger("background-paper");
+  EXPECT_EQ(corner("paper-again.png"), 255);
+}
+
+TEST_F(Window_bundles_test, OnesWithNothingToShowSayWhatTheyNeed) {
+  const auto reason = [&](int row) { return list()->item(row)->data(Qt::UserRole + 4).toString(); };
+  const int crust = 7;
+  ASSERT_EQ(name(crust), "Power crust");
+  EXPECT_EQ(reason(crust), "");
+  document().edit_inputs(Inputs().with(disks_input, std::vector<Disk_2>{{{0, 0}, 1}}), "Disk");
+  EXPECT_EQ(reason(crust), "needs points or an outline");
+  EXPECT_TRUE(list()->item(crust)->toolTip().contains("Shows nothing now: needs points or an outline."));
+  EXPECT_EQ(reason(0), "");
+  document().history().undo();
+  EXPECT_EQ(reason(crust), "");
 }
 
 TEST_F(Window_bundles_test, TheListIsTheOneThatCommandLinesRead) {

@@ -44,6 +44,32 @@ succeed --nogui "$giraffe" --layers medial-axis --set sampling-step=0.02 --style
   --style medial-axis.line-width=1 --view mine.view.json --formats svg --output expected
 expect_same changed/giraffe.svg expected/giraffe.svg
 
+# The background: that of the bundle, unless it is said otherwise; on a dark one dark lines are lightened.
+echo '[{"name": "Night", "background": "dark", "layers": [{"id": "outline", "style": {"color": "#000000"}}]}]' >night.json
+sed 's/dark/none/' night.json >nothing.json
+succeed --nogui "$giraffe" --bundle night.json --formats svg --output night
+expect_in night/giraffe.svg "#181a1e"
+expect_in night/giraffe.svg "#ffffff"
+expect_not_in night/giraffe.svg "#000000"
+succeed --nogui "$giraffe" --layers outline --style outline.color=#000000 --background dark --formats svg --output spelled-night
+expect_same night/giraffe.svg spelled-night/giraffe.svg
+succeed --nogui "$giraffe" --bundle night.json --background paper --formats svg --output day
+expect_not_in day/giraffe.svg "#181a1e"
+expect_in day/giraffe.svg "#000000"
+succeed --nogui "$giraffe" --bundle nothing.json --formats png --output nothing
+succeed --nogui "$giraffe" --bundle nothing.json --background paper --transparent --formats png --output transparent
+expect_same nothing/giraffe.png transparent/giraffe.png
+succeed --nogui "$giraffe" --bundle night.json --background window --formats svg --output window
+expect_in window/giraffe.svg "#f4f5f7"
+rm nothing.json
+
+# What a bundle has nothing to show of is told.
+echo "1 2 3" >disk.xy
+succeed --nogui disk.xy --bundle power-crust --formats svg --output needs
+expect_in stderr "disk.xy: bundle power-crust: needs points or an outline"
+succeed --nogui disk.xy --bundle union-1-balls --formats svg --output needs
+expect_empty stderr
+
 # --resume: another bundle is another picture.
 succeed --nogui "$giraffe" --bundle points --formats svg --output resumed --resume
 cp resumed/giraffe.svg before.svg

@@ -60,6 +60,9 @@ TEST(Bundle, IsReadAsItWasWritten) {
   bundle.layers = {{"axis", style}, {"points", style}};
   bundle.settings = Settings().with("limit", 1.0 / 3);
   bundle.view = View_2{{0.1, 2}, 3};
+  bundle.background = Canvas_background::dark;
+  bundle.key = 7;
+  bundle.needs = {"points", "outline"};
   const std::string text = bundles_to_text({bundle, bundle}, small_registry());
   EXPECT_EQ(parse(text), (std::vector<Bundle>{bundle, bundle}));
   EXPECT_EQ(bundles_to_text(parse(text), small_registry()), text);
@@ -135,6 +138,71 @@ TEST(Bundle, IsFoundByNameAndId) {
   EXPECT_EQ(find_bundle(bundles, "scale"), nullptr);
   EXPECT_EQ(free_name(bundles, "Mine"), "Mine 2");
   EXPECT_EQ(free_name(bundles, "Other"), "Other");
+}
+
+TEST(Bundle, WrongBackgroundsKeysAndNeedsAreRefused) {
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "background": "pink"}])"); }),
+            "bundles[0].background: expected \"paper\", \"dark\", \"window\" or \"none\", found \"pink\"");
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "key": 10}])"); }),
+            "bundles[0].key: expected a digit, 0 for no key, found 10");
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "key": -1}])"); }),
+            "bundles[0].key: expected a digit, 0 for no key, found -1");
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "needs": "points"}])"); }),
+            "bundles[0].needs: expected an array of inputs, found \"points\"");
+  EXPECT_EQ(refusal([] { parse(R"([{"name": "A", "needs": [1]}])"); }), "bundles[0].needs: expected texts, found 1");
+  for (const char* name : {"paper", "dark", "window", "none"})
+    EXPECT_EQ(name_of(*parse(R"([{"name": "A", "background": ")" + std::string(name) + "\"}]")[0].background), name);
+}
+
+std::string keys_of(const std::vector<Bundle>& bundles) {
+  std::string keys;
+  for (std::size_t i = 0; i < bundles.size(); ++i) keys += std::to_string(key_of(bundles, i));
+  return keys;
+}
+
+TEST(Bundle_keys, AreThoseOfThePlacesOrThoseThatAreGiven) {
+  std::vector<Bundle> bundles(11);
+  EXPECT_EQ(keys_of(bundles), "12345678900");
+  EXPECT_EQ(place_with_key(bundles, 9), 8U);
+  EXPECT_EQ(place_with_key(bundles, 0), std::nullopt);
+  EXPECT_EQ(place_with_key(bundles, 10), std::nullopt);
+  // The one in the third place loses its digit, all others keep theirs.
+  give_key(bundles, 10, 3);
+  EXPECT_EQ(keys_of(bundles), "12045678903");
+  EXPECT_EQ(place_with_key(bundles, 3), 10U);
+  give_key(bundles, 9, 3);
+  EXPECT_EQ(keys_of(bundles), "12045678930");
+  give_key(bundles, 9, std::nullopt);
+  EXPECT_EQ(keys_of(bundles), "12345678900");
+  // Without a key, also where the place has one.
+  give_key(bundles, 0, 0);
+  give_key(bundles, 1, 0);
+  EXPECT_EQ(keys_of(bundles), "00345678900");
+  EXPECT_EQ(place_with_key(bundles, 1), std::nullopt);
+  // A bundle with a digit of its own does not answer to that of its place too.
+  give_key(bundles, 2, 1);
+  EXPECT_EQ(keys_of(bundles), "00145678900");
+  bundles.resize(2);
+  EXPECT_EQ(place_with_key(bundles, 4), std::nullopt);
+}
+
+TEST(Bundle_needs, SayWhatIsMissing) {
+  const Inputs balls = Inputs().with(balls_input, std::vector<Ball_3>(1));
+  EXPECT_EQ(missing_input_text({"cloud", "mesh"}, balls), "needs points or a mesh");
+  EXPECT_EQ(missing_input_text({"points", "disks", "outline"}, balls), "needs points, disks or an outline");
+  EXPECT_EQ(missing_input_text({"cloud", "balls"}, balls), "");
+  EXPECT_EQ(missing_input_text({}, balls), "");
+  EXPECT_EQ(missing_input_text({"mesh"}, Inputs()), "");
+}
+
+TEST(Canvas_background, DarkColorsAreLightenedOnDarkOnes) {
+  const Color dark = canvas_color(Canvas_background::dark, light_window_color);
+  EXPECT_EQ(canvas_color(Canvas_background::window, {1, 2, 3}), (Color{1, 2, 3}));
+  EXPECT_EQ(canvas_color(Canvas_background::none, {1, 2, 3}), (Color{255, 255, 255}));
+  EXPECT_EQ(visible_on(dark, {0, 0, 0}), (Color{255, 255, 255}));
+  EXPECT_EQ(visible_on(dark, {0, 0, 80}), (Color{175, 175, 255}));
+  EXPECT_EQ(visible_on(dark, {255, 128, 0}), (Color{255, 128, 0}));
+  EXPECT_EQ(visible_on({255, 255, 255}, {0, 0, 0}), (Color{0, 0, 0}));
 }
 
 /// Gives an environment variable a value, null for none, as long as it lives.

@@ -246,6 +246,38 @@ TEST_F(Layer_rows, states_are_told_by_the_row) {
   EXPECT_EQ(row("a").data(Layer_model::count_role).toString(), "101");
 }
 
+TEST_F(Layer_rows, what_is_hidden_or_has_no_input_does_not_alarm) {
+  const auto has_badge = [&] {
+    return !tree()
+                .delegate()
+                .part_rectangle(row("a"), tree().visualRect(row("a")), tree().font(), Part::state)
+                .isEmpty();
+  };
+  QApplication::processEvents();
+  const int plain_height = tree().visualRect(row("a")).height();
+  Layer_status failed;
+  failed.state = Layer_status::State::failed;
+  failed.reason = "there is no mesh: open one";
+  panel_.set_status("a", failed);
+  QApplication::processEvents();
+  EXPECT_EQ(row("a").data(Layer_model::reason_role).toString(), "there is no mesh: open one");
+  EXPECT_TRUE(row("a").data(Layer_model::is_input_missing_role).toBool());
+  EXPECT_FALSE(has_badge());
+  failed.reason = "needs at least 3 points";
+  failed.warnings = QStringList{"something odd"};
+  panel_.set_status("a", failed);
+  QApplication::processEvents();
+  EXPECT_FALSE(row("a").data(Layer_model::is_input_missing_role).toBool());
+  EXPECT_TRUE(has_badge());
+  click(row("a"), Part::eye);
+  QApplication::processEvents();
+  EXPECT_EQ(tree().visualRect(row("a")).height(), plain_height);
+  EXPECT_FALSE(has_badge());
+  EXPECT_TRUE(row("a").data(Layer_model::reason_role).toString().isEmpty());
+  EXPECT_TRUE(row("a").data(Layer_model::warnings_role).toStringList().isEmpty());
+  EXPECT_TRUE(row("a").data(Qt::ToolTipRole).toString().contains("needs at least 3 points"));
+}
+
 TEST_F(Layer_rows, menu_commands) {
   choose_from_menu(row("b"), "Hide others");
   EXPECT_EQ(visible(), "");
