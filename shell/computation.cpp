@@ -31,7 +31,9 @@ Computation::Computation(std::shared_ptr<const Registry> registry, Document& doc
   };
   listener.finished_layer = [this](const Worker::Layer_result& result) { take(result); };
   listener.reported = [this](const Worker::Report& report) {
-    if (!report.stages.empty()) Q_EMIT reported(report);
+    const auto sent = generations_.find(report.ticket);
+    const bool is_of_present_data = sent != generations_.end() && sent->second == generation_;
+    if (is_of_present_data && !report.stages.empty()) Q_EMIT reported(report);
   };
   listener.finished = [this](std::uint64_t ticket, bool is_complete) {
     if (is_complete) Q_EMIT request_completed();
@@ -182,18 +184,20 @@ std::vector<std::string> Computation::visible_layers() const {
 
 void Computation::request_visible() {
   std::vector<std::string> wanted = visible_layers();
-  const bool is_all_there = std::ranges::all_of(wanted, [&](const std::string& id) {
+  std::erase_if(wanted, [&](const std::string& id) {
     const auto it = layers_.find(id);
     return it != layers_.end() && it->second.generation == generation_;
   });
-  if (is_all_there) {
+  if (wanted.empty()) {
     if (is_busy_) cancel();
     return;
   }
   const auto sent = generations_.find(last_ticket_);
-  const bool is_under_way = is_busy_ && sent != generations_.end() && sent->second == generation_;
-  if (is_under_way && wanted == requested_) return;
-  send(std::move(wanted));
+  const bool is_of_present_data = is_busy_ && sent != generations_.end() && sent->second == generation_;
+  const bool is_under_way = is_of_present_data && std::ranges::all_of(wanted, [&](const std::string& id) {
+                              return std::ranges::find(requested_, id) != requested_.end();
+                            });
+  if (!is_under_way) send(std::move(wanted));
 }
 
 void Computation::send(std::vector<std::string> layers) {

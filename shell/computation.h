@@ -57,7 +57,7 @@ class Computation : public QObject {
   void layer_changed(const QString& layer);
   /// Also said at every new request while others are under way.
   void busy_changed(bool is_busy);
-  /// Something was computed, and all that was asked for is there.
+  /// Something was computed for the present data, and all that was asked for is there.
   void reported(const mesecina::Worker::Report& report);
   /// The pictures are all of one state of the document, though newer ones may be under way.
   void request_completed();

@@ -264,6 +264,7 @@ class Program_window : public QMainWindow {
   void open_manual();
   void show_figure(const Manual_figure& figure);
   void build_reports();
+  QString name_of_run();
   void record_run(const Worker::Report& report);
   void log_layer(const std::string& layer);
   void end_keeping();

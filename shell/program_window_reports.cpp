@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/batch/statistics.h"
+#include "shell/evolution_track.h"
 #include "shell/program_window.h"
 
 namespace mesecina {
@@ -68,10 +69,24 @@ void Program_window::build_reports() {
              QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_L), log_dock_);
 }
 
+/// What is computed: the last thing that was done, or, where an evolution is gone through, the place in it.
+QString Program_window::name_of_run() {
+  const Track_pointer& track = document_.track();
+  const QString done = document_.history().undoText();
+  if (!track) return done.isEmpty() ? tr("Start") : done;
+  const std::size_t position = document_.position();
+  if (position == 0) return tr("Before the first step");
+  const std::string& id = track->places[position].evolution;
+  const Evolution_spec* evolution = registry_->find_evolution(id);
+  return tr("%1: step %2 of %3")
+      .arg(QString::fromStdString(evolution ? evolution->label : id))
+      .arg(position)
+      .arg(track->step_count());
+}
+
 void Program_window::record_run(const Worker::Report& report) {
   Run_record record;
-  const QString step = document_.history().undoText();
-  record.what = (step.isEmpty() ? tr("Start") : step).toStdString();
+  record.what = name_of_run().toStdString();
   record.time = std::chrono::system_clock::now();
   record.seconds = report.seconds;
   record.memory = present_memory();

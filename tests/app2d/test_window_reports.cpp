@@ -48,6 +48,50 @@ TEST_F(Window_reports, EveryStepIsARunWithItsCountsAndTopology) {
   EXPECT_TRUE(content(csv).contains("Input,points,"));
 }
 
+TEST_F(Window_reports, ARunInAnEvolutionNamesItsStep) {
+  Evolution_control& control = window().evolution();
+  ASSERT_TRUE(wait_until_current("one-step-crust"));
+  control.choose("laplacian-smoothing");
+  control.set_steps_ahead(3);
+  control.make_steps();
+  const auto has_come_to_rest = [&] { return !control.evolver().is_busy() && !window().computation().is_busy(); };
+  ASSERT_TRUE(wait_until([&] { return document().position() == 3 && has_come_to_rest(); }));
+  EXPECT_EQ(runs().back().what, "Laplacian smoothing: step 3 of 3");
+  // A layer that was not on while they were made.
+  Layer_list layers = document().layers();
+  for (Layer_entry& entry : layers) entry.style.visible = entry.id == "delaunay" || entry.style.visible;
+  document().edit_layers(layers, "Show Delaunay");
+  for (const std::size_t position : {3, 2, 1}) {
+    control.go_to(position);
+    const std::string name = "Laplacian smoothing: step " + std::to_string(position) + " of 3";
+    ASSERT_TRUE(wait_until([&] { return has_come_to_rest() && runs().back().what == name; })) << runs().back().what;
+  }
+  control.go_to(0);
+  ASSERT_TRUE(wait_until([&] { return has_come_to_rest() && runs().back().what == "Before the first step"; }));
+}
+
+TEST_F(Window_reports, GoingToStepsThatWereSeenAddsNoRuns) {
+  Evolution_control& control = window().evolution();
+  ASSERT_TRUE(wait_until_current("one-step-crust"));
+  control.choose("laplacian-smoothing");
+  control.set_steps_ahead(3);
+  control.make_steps();
+  const auto has_come_to_rest = [&] { return !control.evolver().is_busy() && !window().computation().is_busy(); };
+  for (const std::size_t position : {3, 2, 1, 0}) {
+    ASSERT_TRUE(wait_until([&] { return document().step_count() == 3 && has_come_to_rest(); }));
+    control.go_to(position);
+  }
+  ASSERT_TRUE(wait_until(has_come_to_rest));
+  const std::size_t before = runs().size();
+  for (const std::size_t position : {1, 2, 3, 0, 2}) {
+    control.go_to(position);
+    bool is_answered = false;
+    window().computation().describe("one-step-crust", 0, [&](const Element_description&) { is_answered = true; });
+    ASSERT_TRUE(wait_until([&] { return is_answered; }));
+  }
+  EXPECT_EQ(runs().size(), before);
+}
+
 TEST_F(Window_reports, TheLogSaysWhatFailedAndLeadsThere) {
   document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{0, 0}}), "One point");
   Layer_list layers = document().layers();
