@@ -82,7 +82,6 @@ QWidget* Evolution_bar::make_transport(const Actions& actions) {
   evolutions_->setFocusPolicy(Qt::TabFocus);
   for (const Evolution_spec& spec : control_.registry().evolutions()) {
     evolutions_->addItem(text_of(spec.label), text_of(spec.id));
-    evolutions_->setItemData(evolutions_->count() - 1, text_of(spec.help), Qt::ToolTipRole);
   }
   if (evolutions_->count() == 0) {
     evolutions_->addItem(tr("No evolutions"));
@@ -188,7 +187,23 @@ void Evolution_bar::resizeEvent(QResizeEvent* event) {
   rows_->setDirection(event->size().width() >= wanted ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
+void Evolution_bar::show_fitness() {
+  const auto& all = control_.registry().evolutions();
+  for (int row = 0; row < static_cast<int>(all.size()); ++row) {
+    const Evolution_spec& spec = all[static_cast<std::size_t>(row)];
+    const QString reason = control_.why_unfit(spec.id);
+    const QString tip = reason.isEmpty() ? text_of(spec.help)
+                                         : tr("Not for the present data: %1.").arg(reason) + QStringLiteral("\n\n") +
+                                               text_of(spec.help);
+    if (evolutions_->itemData(row, Qt::ToolTipRole).toString() == tip) continue;
+    evolutions_->setItemData(row, tip, Qt::ToolTipRole);
+    const QVariant dim = reason.isEmpty() ? QVariant() : palette().brush(QPalette::Disabled, QPalette::Text);
+    evolutions_->setItemData(row, dim, Qt::ForegroundRole);
+  }
+}
+
 void Evolution_bar::show_control() {
+  show_fitness();
   const int chosen = evolutions_->findData(text_of(control_.chosen()));
   if (chosen >= 0) {
     evolutions_->setCurrentIndex(chosen);

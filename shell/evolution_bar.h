@@ -38,6 +38,7 @@ class Evolution_bar : public QWidget {
   QWidget* make_options(const Actions& actions);
   QToolButton* make_button(QAction* action, QWidget* parent) const;
   QSpinBox* make_field(int minimum, int maximum, const QString& name, const QString& tip, QWidget* parent) const;
+  void show_fitness();
   void show_control();
   void show_track();
   void show_memory();

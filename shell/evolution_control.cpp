@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/evolution_needs.h"
+
 namespace mesecina {
 
 namespace {
@@ -18,7 +20,7 @@ Evolution_control::Evolution_control(std::shared_ptr<const Registry> registry, D
       document_(document),
       computation_(computation),
       evolver_(registry_, document) {
-  if (!registry_->evolutions().empty()) chosen_ = registry_->evolutions().front().id;
+  choose_first_fit();
   connect(&document_, &Document::changed, this, &Evolution_control::react);
   connect(&evolver_, &Evolver::busy_changed, this, [this](bool is_busy) {
     if (!is_busy) run_next();
@@ -31,8 +33,22 @@ Evolution_control::Evolution_control(std::shared_ptr<const Registry> registry, D
   connect(&timer_, &QTimer::timeout, this, &Evolution_control::tick);
 }
 
+QString Evolution_control::why_unfit(const std::string& evolution) const {
+  const Evolution_spec* spec = registry_->find_evolution(evolution);
+  if (!spec) return {};
+  return QString::fromStdString(mesecina::why_unfit(*spec, {document_.inputs(), document_.settings()}));
+}
+
+void Evolution_control::choose_first_fit() {
+  const auto& all = registry_->evolutions();
+  const auto fit = std::ranges::find_if(all, [this](const auto& spec) { return why_unfit(spec.id).isEmpty(); });
+  if (!all.empty()) chosen_ = fit == all.end() ? all.front().id : fit->id;
+}
+
 void Evolution_control::choose(const std::string& evolution) {
-  if (!registry_->find_evolution(evolution) || evolution == chosen_) return;
+  if (!registry_->find_evolution(evolution)) return;
+  is_choice_free_ = false;
+  if (evolution == chosen_) return;
   chosen_ = evolution;
   is_choice_new_ = true;
   Q_EMIT changed();
@@ -83,10 +99,17 @@ void Evolution_control::run_next() {
 void Evolution_control::react(const Document_change& change) {
   // What is edited while it plays would be left at once.
   if (change.inputs && !is_moving_ && !evolver_.is_busy()) pause();
-  if (!change.track) return;
+  if (!change.track) {
+    if (!change.inputs && !change.settings) return;
+    if (is_choice_free_) choose_first_fit();
+    Q_EMIT changed();
+    return;
+  }
   const Track_pointer& track = document_.track();
   if (track && track->places.back().evolution == chosen_) is_choice_new_ = false;
   if (track && !is_choice_new_) chosen_ = track->places.back().evolution;
+  if (track) is_choice_free_ = false;
+  if (is_choice_free_) choose_first_fit();
   Q_EMIT changed();
 }
 

@@ -34,8 +34,11 @@ class Evolution_control : public QObject {
   Evolver& evolver() { return evolver_; }
   const Evolver& evolver() const { return evolver_; }
 
-  /// Id of the evolution that steps are made by; empty where there is none.
+  /// Id of the evolution that steps are made by; empty where there is none. Until one is chosen or there are steps, the
+  /// first that suits the data.
   const std::string& chosen() const { return chosen_; }
+  /// Why the evolution does not suit the data that is shown; empty where it does, and for unknown ids.
+  QString why_unfit(const std::string& evolution) const;
   /// What is made next starts at the place that is shown, if its track ends with another evolution. Unknown ids are
   /// left alone.
   void choose(const std::string& evolution);
@@ -78,13 +81,14 @@ class Evolution_control : public QObject {
   bool stop();
 
  Q_SIGNALS:
-  /// Anything of this, or the track of the document, or the place on it.
+  /// Anything of this, or the track of the document, or the place on it, or which evolutions suit the data.
   void changed();
   void told(const QString& note);
 
  private:
   void react(const Document_change& change);
   bool is_newly_chosen() const;
+  void choose_first_fit();
   void begin_steps(std::uint64_t count, bool follows);
   void move_to(std::size_t position);
   void tick();
@@ -97,6 +101,7 @@ class Evolution_control : public QObject {
   Evolver evolver_;
   std::string chosen_;
   bool is_choice_new_ = false;  ///< made by the user since the last step
+  bool is_choice_free_ = true;  ///< nobody has chosen, and no step was made
   int steps_ahead_ = 20;
   std::deque<Evolution_order> orders_;
   Motion motion_ = Motion::none;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/batch/command_line.h"
+#include "core/evolution_needs.h"
 #include "layers/color_map.h"
 
 // The macro needs the global namespace.
@@ -212,9 +213,11 @@ void Manual::add_evolutions() {
     for (const std::string& id : spec.settings)
       settings << QStringLiteral("<a href=\"setting:%1\">%1</a>").arg(escaped(id));
     const QString id = QString::fromStdString(spec.id);
-    body += entry(QStringLiteral("evolution"), id, QString::fromStdString(spec.label),
-                  escaped(spec.help) +
-                      (settings.isEmpty() ? QString() : tr(" Settings: %1.").arg(settings.join(QStringLiteral(", ")))));
+    const Evolution_needs* needs = needs_of(spec);
+    body +=
+        entry(QStringLiteral("evolution"), id, QString::fromStdString(spec.label),
+              (needs ? tr("Needs %1.").arg(escaped(needs->what)) + QLatin1Char(' ') : QString()) + escaped(spec.help) +
+                  (settings.isEmpty() ? QString() : tr(" Settings: %1.").arg(settings.join(QStringLiteral(", ")))));
     anchors_[QStringLiteral("evolution:") + id] = QStringLiteral("evolutions-list");
   }
   add_page(QStringLiteral("evolutions-list"), tr("All evolutions"), body);

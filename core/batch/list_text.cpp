@@ -4,6 +4,7 @@
 #include "core/batch/bundle_library.h"
 #include "core/batch/command_line.h"
 #include "core/bundle.h"
+#include "core/evolution_needs.h"
 #include "core/formats/number.h"
 
 namespace mesecina {
@@ -50,9 +51,14 @@ Json list_settings(const Registry& registry) {
 
 Json list_evolutions(const Registry& registry) {
   Json list = Json::array();
-  for (const Evolution_spec& evolution : registry.evolutions())
-    list.push_back(
-        {{"id", evolution.id}, {"label", evolution.label}, {"settings", evolution.settings}, {"help", evolution.help}});
+  for (const Evolution_spec& evolution : registry.evolutions()) {
+    const Evolution_needs* needs = needs_of(evolution);
+    list.push_back({{"id", evolution.id},
+                    {"label", evolution.label},
+                    {"needs", needs ? needs->what : std::string()},
+                    {"settings", evolution.settings},
+                    {"help", evolution.help}});
+  }
   return list;
 }
 
@@ -134,8 +140,11 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
   } else if (what == "bundles") {
     text = bundles_text(read_bundle_library(user_bundles, registry));
   } else if (what == "evolutions") {
-    for (const Evolution_spec& evolution : registry.evolutions())
-      text += padded(evolution.id, 22) + evolution.help + "\n";
+    for (const Evolution_spec& evolution : registry.evolutions()) {
+      const Evolution_needs* needs = needs_of(evolution);
+      text +=
+          padded(evolution.id, 22) + (needs ? "Needs " + needs->what + ". " : std::string()) + evolution.help + "\n";
+    }
   } else {
     for (const Reader& reader : formats.readers) {
       std::string extensions;

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/crust_2/module.h"
 #include "geometries/delaunay_2/module.h"
@@ -71,12 +73,27 @@ std::optional<Evolution_state> with_changed_curves(Context& context, const Evolu
   return after;
 }
 
-[[noreturn]] void refuse_without_curve(const Inputs& inputs) {
+constexpr const char* needed_curve = "points along a curve, or an outline";
+constexpr const char* no_neighbors =
+    "no point has exactly two neighbours on the one-step crust: draw points along a curve, or an outline";
+
+/// Of points alone, three make a curve at the least.
+bool may_have_curve(const Inputs& inputs) {
   const auto points = inputs.get(points_input);
-  throw Unavailable(
-      points && !points->empty()
-          ? "no point has exactly two neighbours on the one-step crust: draw points along a curve, or an outline"
-          : "there is no curve: draw, generate or open points along one, or an outline");
+  const auto outline = inputs.get(outline_input);
+  return (points && points->size() >= 3) || (outline && has_curve(*outline));
+}
+
+std::string why_no_curve(const Evolution_state& state) {
+  if (may_have_curve(state.inputs)) return {};
+  const auto points = state.inputs.get(points_input);
+  return points && !points->empty() ? no_neighbors
+                                    : "there is no curve: draw, generate or open points along one, or an outline";
+}
+
+std::string why_no_curve_or_disks(const Evolution_state& state) {
+  const auto disks = state.inputs.get(disks_input);
+  return disks && !disks->empty() ? std::string() : why_no_curve(state);
 }
 
 void check_count(std::size_t count) {
@@ -99,7 +116,7 @@ Evolution_state smooth(Context& context, const Evolution_state& before, std::uin
   const auto after = with_changed_curves(
       context, before, [&](const Point_curve& curve) { return smoothed(*curve.points, curve.neighbors, passes); },
       [&](const Ring_2& ring) { return smoothed(ring, ring_neighbors(ring.size()), passes); });
-  if (!after) refuse_without_curve(before.inputs);
+  if (!after) throw Unavailable(no_neighbors);
   return factor == 0 ? before : *after;
 }
 
@@ -115,7 +132,7 @@ Evolution_state subdivide(Context& context, const Evolution_state& before, std::
         check_count(count += 2 * ring.size());
         return subdivided_ring(ring);
       });
-  if (!after) refuse_without_curve(before.inputs);
+  if (!after) throw Unavailable(no_neighbors);
   return *after;
 }
 
@@ -128,7 +145,7 @@ Evolution_state add_noise(Context& context, const Evolution_state& before, std::
       [&](const Ring_2& ring) { return with_noise(ring, ring_neighbors(ring.size()), amplitude, random); });
   const auto disks = before.inputs.get(disks_input);
   const bool has_disks = disks && !disks->empty();
-  if (!after && !has_disks) refuse_without_curve(before.inputs);
+  if (!after && !has_disks) throw Unavailable(no_neighbors);
   if (!after) after = before;
   if (has_disks) after->inputs = after->inputs.with(disks_input, with_noise(*disks, amplitude, random));
   return amplitude == 0 ? before : *after;
@@ -146,7 +163,7 @@ Evolution_spec smoothing_2() {
       "smoothing-keeps-size the curve does not shrink. [G. Taubin: A signal processing approach to fair surface "
       "design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
-  evolution.step = smooth;
+  evolution.step = needing({needed_curve, why_no_curve}, smooth);
   return evolution;
 }
 
@@ -160,7 +177,7 @@ Evolution_spec subdivision_2() {
       "a "
       "smooth curve, the cubic B-spline. [E. Catmull, J. Clark: Recursively generated B-spline surfaces on arbitrary "
       "topological meshes, 1978]";
-  evolution.step = subdivide;
+  evolution.step = needing({needed_curve, why_no_curve}, subdivide);
   return evolution;
 }
 
@@ -174,7 +191,7 @@ Evolution_spec noise_2() {
       "distance to either side; the center of a disk by up to noise-amplitude times its radius in x and in y. Other "
       "points stay. The same evolution-seed gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
-  evolution.step = add_noise;
+  evolution.step = needing({"points along a curve, an outline, or disks", why_no_curve_or_disks}, add_noise);
   return evolution;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/graph.h"
 #include "geometries/balls_2/module.h"
+#include "geometries/balls_2/needed_disks_2.h"
 #include "geometries/evolution_settings.h"
 #include "geometries/evolutions_2/evolutions.h"
 #include "geometries/scale_axis_2/module.h"
@@ -62,9 +63,9 @@ Evolution_spec growing_2() {
       std::string("Each step makes all disks larger by growing-step percent of the radius that they had at first.") +
       which_disks + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
-  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.step = needing(needed_disks_2(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, context.setting(growing_step_setting), step);
-  };
+  });
   return evolution;
 }
 
@@ -77,9 +78,9 @@ Evolution_spec shrinking_2() {
                        "first; ends before nothing is left.") +
                    which_disks;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
-  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.step = needing(needed_disks_2(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, -context.setting(growing_step_setting), step);
-  };
+  });
   return evolution;
 }
 
@@ -93,7 +94,7 @@ Evolution_spec stepped_growing_2() {
       "at the beginning, so fewer new branches come than with grow-balls. [B. Miklos: The Scale Axis Transform, 2010, "
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(scale_axis_min_angle_setting.id)};
-  evolution.step = grow_medial_disks;
+  evolution.step = needing(needed_disks_2(), grow_medial_disks);
   return evolution;
 }
 

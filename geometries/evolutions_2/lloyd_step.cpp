@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>
+#include <string>
 #include <utility>
 
+#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/evolutions_2/evolutions.h"
 #include "geometries/evolutions_2/lloyd_2.h"
@@ -18,9 +20,13 @@ bool are_same(const std::vector<Point_2>& before, const std::vector<Point_2>& af
   return true;
 }
 
+std::string why_no_points(const Evolution_state& state) {
+  const auto points = state.inputs.get(points_input);
+  return points && !points->empty() ? "" : "there are no points to move: draw, generate or open some";
+}
+
 Evolution_state move_to_centroids(Context& context, const Evolution_state& before, std::uint64_t step) {
   const auto points = before.inputs.get(points_input);
-  if (!points || points->empty()) throw Unavailable("there are no points to move: draw, generate or open some");
   Evolution_state after = before;
   std::vector<Point_2> moved;
   double diagonal = 0;
@@ -56,7 +62,7 @@ Evolution_spec lloyd_2() {
       "there is none, to the bounding box that the points had at the first step. Points spread evenly; cells become "
       "alike. [S. Lloyd: Least squares quantization in PCM, 1982; Q. Du, V. Faber, M. Gunzburger: Centroidal Voronoi "
       "tessellations, 1999]";
-  evolution.step = move_to_centroids;
+  evolution.step = needing({"points", why_no_points}, move_to_centroids);
   return evolution;
 }
 

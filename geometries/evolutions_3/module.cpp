@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/evolution_settings.h"
 #include "geometries/evolutions_3/mesh_vertices_3.h"
@@ -21,9 +22,38 @@ constexpr Setting<double> min_angle_setting{"scale-axis-min-angle"};
 
 bool has_triangles(const std::shared_ptr<const Triangle_mesh_3>& mesh) { return mesh && !mesh->triangles.empty(); }
 
+std::string why_no_mesh(const Evolution_state& state) {
+  return has_triangles(state.inputs.get(mesh_input)) ? ""
+                                                     : "there is no mesh to smooth: open one (off, obj, ply or stl)";
+}
+
+bool is_anything(const Inputs& inputs) {
+  const auto cloud = inputs.get(cloud_input);
+  const auto balls = inputs.get(balls_input);
+  return has_triangles(inputs.get(mesh_input)) || (cloud && !cloud->empty()) || (balls && !balls->empty());
+}
+
+std::string why_nothing_moves(const Evolution_state& state) {
+  return is_anything(state.inputs) ? "" : "there is nothing to move: open or generate a mesh, points or balls";
+}
+
+std::string why_nothing_grows(const Evolution_state& state) {
+  const Setting_value* source = state.settings.find(ball_source_3_setting.id);
+  const auto given = state.inputs.get(balls_input);
+  const bool has_given = given && !given->empty();
+  const auto cloud = state.inputs.get(cloud_input);
+  const bool has_samples = has_triangles(state.inputs.get(mesh_input)) || (cloud && !cloud->empty());
+  if (source && *source == Setting_value(std::string(ball_source_3_given)) && !has_given)
+    return "there are no given balls: add or open some, or choose another ball-source";
+  if (source && *source == Setting_value(std::string(ball_source_3_computed)) && !has_samples)
+    return "there is no mesh and there are no points to compute balls of: open some, or choose another ball-source";
+  return has_given || has_samples ? "" : "there is nothing to grow: open or generate balls, a mesh or points";
+}
+
+Evolution_needs needed_balls() { return {"balls, a mesh, or points", why_nothing_grows}; }
+
 Evolution_state smooth(Context& context, const Evolution_state& before, std::uint64_t) {
   const auto mesh = before.inputs.get(mesh_input);
-  if (!has_triangles(mesh)) throw Unavailable("there is no mesh to smooth: open one (off, obj, ply or stl)");
   const double factor = context.setting(smoothing_factor_setting);
   if (factor == 0) return before;
   const std::vector<double> passes = smoothing_passes(factor, context.setting(smoothing_keeps_size_setting));
@@ -63,8 +93,6 @@ Evolution_state add_noise(Context& context, const Evolution_state& before, std::
   const auto balls = before.inputs.get(balls_input);
   const bool has_cloud = cloud && !cloud->empty();
   const bool has_balls = balls && !balls->empty();
-  if (!has_triangles(mesh) && !has_cloud && !has_balls)
-    throw Unavailable("there is nothing to move: open or generate a mesh, points or balls");
   const double amplitude = context.setting(noise_amplitude_setting);
   if (amplitude == 0) return before;
   Portable_random random(seed_of_step(context.setting(evolution_seed_setting), step));
@@ -142,7 +170,7 @@ Evolution_spec smoothing() {
       "mesh ends, toward the mean of those along its end. With smoothing-keeps-size the mesh does not shrink. [G. "
       "Taubin: A signal processing approach to fair surface design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
-  evolution.step = smooth;
+  evolution.step = needing({"a mesh", why_no_mesh}, smooth);
   return evolution;
 }
 
@@ -156,7 +184,7 @@ Evolution_spec noise() {
       "the nearest other one; centers of given balls by up to noise-amplitude times the radius. The same "
       "evolution-seed gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
-  evolution.step = add_noise;
+  evolution.step = needing({"a mesh, points, or balls", why_nothing_moves}, add_noise);
   return evolution;
 }
 
@@ -168,9 +196,9 @@ Evolution_spec growing() {
       std::string("Each step makes all balls larger by growing-step percent of the radius that they had at first.") +
       which_balls + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
-  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.step = needing(needed_balls(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, context.setting(growing_step_setting), step);
-  };
+  });
   return evolution;
 }
 
@@ -183,9 +211,9 @@ Evolution_spec shrinking() {
                        "first; ends before nothing is left.") +
                    which_balls;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
-  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.step = needing(needed_balls(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, -context.setting(growing_step_setting), step);
-  };
+  });
   return evolution;
 }
 
@@ -201,7 +229,7 @@ Evolution_spec stepped_growing() {
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(min_angle_setting.id),
                         std::string(perturbation_setting.id)};
-  evolution.step = grow_medial_balls;
+  evolution.step = needing(needed_balls(), grow_medial_balls);
   return evolution;
 }
 

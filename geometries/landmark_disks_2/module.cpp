@@ -8,6 +8,7 @@
 
 #include "core/graph.h"
 #include "geometries/balls_2/module.h"
+#include "geometries/balls_2/needed_disks_2.h"
 #include "geometries/primitives_2.h"
 
 namespace mesecina {
@@ -155,7 +156,7 @@ void register_landmark_disks_2(Registry& registry) {
       "largest disk. The disks are those that ball-source says. Ends when every disk is in a landmark. [B. Miklos: The "
       "Scale Axis Transform, 2010, section A.5]";
   evolution.settings = {std::string(ball_source_setting.id)};
-  evolution.step = add_farthest;
+  evolution.step = needing(needed_disks_2(), add_farthest);
   registry.add_evolution(std::move(evolution));
 }
 

@@ -2,8 +2,10 @@
 #include "geometries/witness_2/module.h"
 
 #include <numeric>
+#include <string>
 #include <utility>
 
+#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/delaunay_2/delaunay_2.h"
 #include "geometries/primitives_2.h"
@@ -83,6 +85,13 @@ Element_description describe_witness_edge(Context& context, std::size_t element)
   return description;
 }
 
+std::string why_nothing_to_sample(const Evolution_state& state) {
+  const auto points = state.inputs.get(points_input);
+  const auto outline = state.inputs.get(outline_input);
+  if ((points && !points->empty()) || (outline && !outline->rings.empty())) return {};
+  return "there is nothing to sample: draw, generate or open points or an outline";
+}
+
 Evolution_state add_farthest(Context& context, const Evolution_state& before, std::uint64_t) {
   const auto samples = context.get(samples_2_key);
   const auto chosen = before.inputs.get(landmarks_input);
@@ -153,7 +162,7 @@ void register_witness_2(Registry& registry) {
       "witness complex shows the curve that they stand for, coarse at first, then finer. Ends when every sample is a "
       "landmark. [L. Guibas, S. Oudot: Reconstruction using witness complexes, 2007; B. Miklos: The Scale Axis "
       "Transform, 2010, section A.5]";
-  evolution.step = add_farthest;
+  evolution.step = needing({"points, or an outline", why_nothing_to_sample}, add_farthest);
   registry.add_evolution(std::move(evolution));
 }
 

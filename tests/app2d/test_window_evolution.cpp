@@ -44,6 +44,33 @@ class Window_evolution : public Window_fixture {
   }
 };
 
+TEST_F(Window_evolution, WhatDoesNotSuitTheDataIsDimmedWithTheReason) {
+  trigger("evolution-bar");
+  auto& combo = field<QComboBox>("Evolution");
+  const auto item = [&](const char* id, int role) { return combo.itemData(combo.findData(id), role); };
+  EXPECT_EQ(control().chosen(), "laplacian-smoothing");
+  EXPECT_FALSE(item("laplacian-smoothing", Qt::ForegroundRole).isValid());
+  const std::vector<Disk_2> disks{{{0, 0}, 2}, {{3, 0}, 2}};
+  document().replace_inputs(Inputs().with(disks_input, disks), "Disks");
+  EXPECT_EQ(control().chosen(), "noise") << "the first that suits disks";
+  EXPECT_EQ(combo.currentData().toString(), "noise");
+  EXPECT_TRUE(item("laplacian-smoothing", Qt::ForegroundRole).isValid());
+  EXPECT_TRUE(item("laplacian-smoothing", Qt::ToolTipRole).toString().contains("there is no curve"));
+  EXPECT_FALSE(item("grow-balls", Qt::ForegroundRole).isValid());
+  document().history().undo();
+  EXPECT_EQ(control().chosen(), "laplacian-smoothing");
+  EXPECT_FALSE(item("laplacian-smoothing", Qt::ForegroundRole).isValid());
+  EXPECT_FALSE(item("laplacian-smoothing", Qt::ToolTipRole).toString().contains("there is no curve"));
+  // Whoever has chosen keeps the choice, and is told when it is tried.
+  trigger("evolve-lloyd");
+  document().replace_inputs(Inputs().with(disks_input, disks), "Disks");
+  EXPECT_EQ(control().chosen(), "lloyd");
+  QSignalSpy told(&control(), &Evolution_control::told);
+  trigger("evolution-make-steps");
+  ASSERT_TRUE(wait_until([&] { return !told.isEmpty(); }));
+  EXPECT_TRUE(told[0][0].toString().contains("no points to move")) << told[0][0].toString().toStdString();
+}
+
 TEST_F(Window_evolution, TheBarIsThereWhenItIsWanted) {
   EXPECT_TRUE(bar().isHidden());
   trigger("evolution-bar");

@@ -8,9 +8,11 @@ length_of() { jq '.vertices as $v | [$v, $v[1:] + $v[:1]] | transpose | map(((.[
 longer() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > b) }'; }
 
 succeed --list evolutions
-expect_in stdout laplacian-smoothing
+expect_in stdout "laplacian-smoothing     Needs points along a curve, or an outline."
 succeed --list evolutions --json
-expect_json stdout '.[0] | all(.[]; (.id | test("^[a-z0-9-]+$")) and .label != "" and (.help | length) > 20)'
+expect_json stdout '.[0] | all(.[]; (.id | test("^[a-z0-9-]+$")) and .label != "" and (.help | length) > 20
+  and (.needs | length) > 4)'
+expect_json stdout '.[0] | map(select(.id == "lloyd")) | .[0].needs == "points"'
 
 succeed --nogui "$giraffe" --layers outline --output plain --stats
 succeed --nogui "$giraffe" --layers outline --output five --evolve laplacian-smoothing=5 --stats
@@ -45,6 +47,11 @@ succeed --nogui two.xy --layers points --output short --evolve laplacian-smoothi
 expect_in stderr "evolution laplacian-smoothing: 0 of 5 steps: no point has exactly two neighbours"
 expect_json short/stats.jsonl '.[0].evolutions[0] | .steps == 0 and (.reason | length > 0)'
 expect_json short/two.points.json '.[0].points | length == 2'
+
+printf 'WPOFF 2 0 0\n0 0 4\n3 0 4\n' >two.poff
+succeed --nogui two.poff --layers disks --output unfit --evolve laplacian-smoothing=2 --evolve grow-balls=3 --stats
+expect_in stderr "evolution laplacian-smoothing: 0 of 2 steps: there is no curve"
+expect_json unfit/stats.jsonl '.[0].evolutions | map(.steps) == [0, 3]'
 
 # What --resume finds of another number of steps is not what is asked for.
 succeed --nogui "$giraffe" --layers outline --output resumed --resume --evolve laplacian-smoothing=1 --log info
