@@ -31,6 +31,8 @@ struct Controls {
   QSpinBox* steps = nullptr;
   QComboBox* easing = nullptr;
   QCheckBox* ping_pong = nullptr;
+  QCheckBox* along = nullptr;  ///< null where nothing else has moved
+  std::vector<Sweep> others;
   QLabel* length = nullptr;
   QPushButton* play = nullptr;
   QPushButton* record = nullptr;
@@ -42,18 +44,25 @@ struct Controls {
     sweep.easing = easing->currentIndex() == 1 ? Sweep::Easing::smooth : Sweep::Easing::linear;
     sweep.is_ping_pong = ping_pong->isChecked();
   }
+  std::vector<Sweep> sweeps() const {
+    std::vector<Sweep> all = along && along->isChecked() ? others : std::vector<Sweep>();
+    all.push_back(sweep);
+    return all;
+  }
   void show_length() const {
+    const int frames = frames_of(sweeps());
     length->setText(tr("%1 frames, %2 s at %3 per second")
-                        .arg(sweep.frames())
-                        .arg(rounded_to(sweep.frames() / frames_per_second, 3))
+                        .arg(frames)
+                        .arg(rounded_to(frames / frames_per_second, 3))
                         .arg(frames_per_second));
   }
 };
 
 }  // namespace
 
-Popover* open_animation_popover(const Registry& registry, const Sweep& start, double frames_per_second,
-                                Frame_player& player, QWidget* over, Animation_popover_calls calls) {
+Popover* open_animation_popover(const Registry& registry, const Sweep& start, const std::vector<Sweep>& animation,
+                                double frames_per_second, Frame_player& player, QWidget* over,
+                                Animation_popover_calls calls) {
   const Setting_spec* spec = registry.find_setting(start.setting);
   if (!spec) return nullptr;
   const QString label = QString::fromStdString(spec->label);
@@ -95,6 +104,21 @@ Popover* open_animation_popover(const Registry& registry, const Sweep& start, do
   popover->form()->addRow(tr("Steps"), controls->steps);
   popover->form()->addRow(tr("Moves"), controls->easing);
   popover->form()->addRow(controls->ping_pong);
+  QStringList labels;
+  for (const Sweep& other : animation) {
+    const Setting_spec* moved = registry.find_setting(other.setting);
+    if (!moved || other.setting == start.setting) continue;
+    controls->others.push_back(other);
+    labels << QString::fromStdString(moved->label);
+  }
+  if (!controls->others.empty()) {
+    controls->along = new QCheckBox(tr("Along with %1").arg(labels.join(tr(", "))), popover);
+    controls->along->setObjectName(QStringLiteral("animation-along"));
+    controls->along->setToolTip(
+        tr("Both move in the same frames, each as it was told; the shorter one waits at its end"));
+    controls->along->setChecked(controls->others.size() < animation.size());
+    popover->form()->addRow(controls->along);
+  }
   popover->form()->addRow(controls->length);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(controls->play);
@@ -105,13 +129,14 @@ Popover* open_animation_popover(const Registry& registry, const Sweep& start, do
   const auto read = [controls, remember = std::move(calls.remember)] {
     controls->read();
     controls->show_length();
-    if (remember) remember(controls->sweep);
+    if (remember) remember(controls->sweeps());
   };
   QObject::connect(controls->from, &Number_field::edited, popover, read);
   QObject::connect(controls->to, &Number_field::edited, popover, read);
   QObject::connect(controls->steps, &QSpinBox::valueChanged, popover, read);
   QObject::connect(controls->easing, &QComboBox::currentIndexChanged, popover, read);
   QObject::connect(controls->ping_pong, &QCheckBox::toggled, popover, read);
+  if (controls->along) QObject::connect(controls->along, &QCheckBox::toggled, popover, read);
   const auto show_state = [controls, &player] {
     controls->play->setText(player.is_playing() ? tr("Stop (%1 of %2)").arg(player.frame() + 1).arg(player.count())
                                                 : tr("Play"));
@@ -122,11 +147,11 @@ Popover* open_animation_popover(const Registry& registry, const Sweep& start, do
     if (player.is_playing()) {
       player.stop();
     } else {
-      play(controls->sweep);
+      play(controls->sweeps());
     }
   });
   QObject::connect(controls->record, &QPushButton::clicked, popover,
-                   [controls, record = std::move(calls.record)] { record(controls->sweep); });
+                   [controls, record = std::move(calls.record)] { record(controls->sweeps()); });
   controls->show_length();
   show_state();
   // So that the plate does not change its size while it plays.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/outcome.h"
+#include "shell/picture_cache.h"
 
 namespace mesecina {
 
@@ -60,6 +61,32 @@ void Film_recorder::start(const Film_request& request) {
 void Film_recorder::add(Film_frame frame) {
   if (!session_ || is_finishing_) return;
   ++frames_;
+  ranges_.widen(frame.scene);
+  const bool must_wait = !held_.empty() || Film_ranges::are_wanted_by(frame.scene);
+  if (must_wait && !is_over_budget_) {
+    hold(std::move(frame));
+  } else {
+    hand_over(std::move(frame));
+  }
+  Q_EMIT changed();
+}
+
+void Film_recorder::hold(Film_frame frame) {
+  for (const Scene_layer& layer : frame.scene.layers)
+    if (layer.primitives && held_pictures_.insert(layer.primitives.get()).second)
+      held_bytes_ += bytes_of(*layer.primitives);
+  held_.push_back(std::move(frame));
+  is_over_budget_ = held_bytes_ > held_bytes_budget_;
+  if (is_over_budget_) release();
+}
+
+void Film_recorder::release() {
+  for (Film_frame& frame : std::exchange(held_, {})) hand_over(std::move(frame));
+  held_pictures_.clear();
+}
+
+void Film_recorder::hand_over(Film_frame frame) {
+  ranges_.apply_to(frame.scene);
   run([this, frame = std::move(frame), owner = std::weak_ptr(session_)](Session& session) -> std::function<void()> {
     if (!session.film) throw Cancelled();
     session.film->add(frame, session.stop.get_token());
@@ -69,7 +96,6 @@ void Film_recorder::add(Film_frame frame) {
       Q_EMIT changed();
     };
   });
-  Q_EMIT changed();
 }
 
 void Film_recorder::finish() {
@@ -79,6 +105,7 @@ void Film_recorder::finish() {
     return;
   }
   is_finishing_ = true;
+  release();
   run([this, owner = std::weak_ptr(session_)](Session& session) -> std::function<void()> {
     if (!session.film) throw Cancelled();
     const std::string note = session.film->finish(session.stop.get_token());
@@ -109,6 +136,11 @@ void Film_recorder::end() {
   frames_ = 0;
   encoded_ = 0;
   is_finishing_ = false;
+  ranges_ = {};
+  held_.clear();
+  held_pictures_.clear();
+  held_bytes_ = 0;
+  is_over_budget_ = false;
   Q_EMIT changed();
 }
 

@@ -12,9 +12,10 @@ namespace mesecina {
 
 Played_frames frames_of_sweeps(std::shared_ptr<const Registry> registry, Document& document,
                                std::vector<Sweep> sweeps) {
-  const Setting_spec* spec = sweeps.empty() ? nullptr : registry->find_setting(sweeps.front().setting);
-  const QString text = QCoreApplication::translate("Frame_player", "Animate %1")
-                           .arg(spec ? QString::fromStdString(spec->label) : QString());
+  QStringList labels;
+  for (const Sweep& sweep : sweeps)
+    if (const Setting_spec* spec = registry->find_setting(sweep.setting)) labels << QString::fromStdString(spec->label);
+  const QString text = QCoreApplication::translate("Frame_player", "Animate %1").arg(labels.join(QStringLiteral(", ")));
   const int count = frames_of(sweeps);
   const auto settings = [registry = std::move(registry), &document, sweeps = std::move(sweeps)](int frame) {
     return swept(*registry, document.settings(), sweeps, frame);

@@ -138,17 +138,17 @@ void Program_window::make_recording() {
   QAction* cancel = add("cancel-film", tr("&Cancel the film"), tr("Stop recording, and keep nothing of it"), {},
                         [this] { recording_->cancel(); });
   cancel->setEnabled(false);
-  add("play-animation", tr("Play or stop the &animation"), tr("Of the setting that was animated last"),
+  add("play-animation", tr("Play or stop the &animation"), tr("Of the settings that were animated last"),
       {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_P)}, [this] { recording_->play_or_stop(); });
 }
 
 void Program_window::open_animation(const std::string& setting, double from, double to) {
   if (popover_) popover_->dismiss();
   Animation_popover_calls calls;
-  calls.play = [this](const Sweep& sweep) { recording_->play(sweep); };
-  calls.record = [this](const Sweep& sweep) { recording_->prepare(sweep); };
-  calls.remember = [this](const Sweep& sweep) { recording_->remember(sweep); };
-  open_popover(open_animation_popover(*registry_, recording_->sweep(setting, from, to),
+  calls.play = [this](const std::vector<Sweep>& sweeps) { recording_->play(sweeps); };
+  calls.record = [this](const std::vector<Sweep>& sweeps) { recording_->prepare(sweeps); };
+  calls.remember = [this](const std::vector<Sweep>& sweeps) { recording_->remember(sweeps); };
+  open_popover(open_animation_popover(*registry_, recording_->sweep(setting, from, to), recording_->animation(),
                                       recording_->panel().request().frames_per_second, recording_->player(),
                                       common_canvas_, std::move(calls)));
 }

@@ -126,7 +126,7 @@ Film_wish Window_recording::wish() const {
                  request.is_transparent,
                  {},
                  panel_->turntable_frames()};
-  if (const auto known = sweeps_.find(last_sweep_); known != sweeps_.end()) wish.sweeps.push_back(known->second);
+  wish.sweeps = animation_;
   return wish;
 }
 
@@ -134,7 +134,7 @@ void Window_recording::show(const Film_wish& wish) {
   {
     // Whoever opens a session does not choose its films for all that follow.
     const QSignalBlocker quiet(panel_);
-    for (const Sweep& sweep : wish.sweeps) remember(sweep);
+    if (!wish.sweeps.empty()) remember(wish.sweeps);
     panel_->set_source(wish.source);
     panel_->set_turntable_frames(wish.turntable);
     panel_->set_size({wish.width, wish.height});
@@ -151,26 +151,29 @@ Sweep Window_recording::sweep(const std::string& setting, double from, double to
   return known == sweeps_.end() ? Sweep{setting, from, to, 100, Sweep::Easing::linear, false} : known->second;
 }
 
-void Window_recording::remember(const Sweep& sweep) {
-  sweeps_[sweep.setting] = sweep;
-  last_sweep_ = sweep.setting;
-  const Setting_spec* spec = registry_->find_setting(sweep.setting);
-  panel_->set_animation_text(tr("%1 from %2 to %3, %4 frames.")
-                                 .arg(spec ? QString::fromStdString(spec->label) : QString())
-                                 .arg(sweep.from)
-                                 .arg(sweep.to)
-                                 .arg(sweep.frames()));
+void Window_recording::remember(const std::vector<Sweep>& sweeps) {
+  animation_ = sweeps;
+  QStringList texts;
+  for (const Sweep& sweep : sweeps) {
+    sweeps_[sweep.setting] = sweep;
+    const Setting_spec* spec = registry_->find_setting(sweep.setting);
+    texts << tr("%1 from %2 to %3")
+                 .arg(spec ? QString::fromStdString(spec->label) : QString())
+                 .arg(sweep.from)
+                 .arg(sweep.to);
+  }
+  panel_->set_animation_text(tr("%1, %2 frames.").arg(texts.join(tr(", "))).arg(frames_of(sweeps)));
   Q_EMIT wish_changed();
 }
 
-void Window_recording::play(const Sweep& sweep) {
+void Window_recording::play(const std::vector<Sweep>& sweeps) {
   if (is_player_recorded_) return;
-  remember(sweep);
-  player_.play(frames_of_sweeps(registry_, document_, {sweep}), panel_->request().frames_per_second);
+  remember(sweeps);
+  player_.play(frames_of_sweeps(registry_, document_, sweeps), panel_->request().frames_per_second);
 }
 
-void Window_recording::prepare(const Sweep& sweep) {
-  remember(sweep);
+void Window_recording::prepare(const std::vector<Sweep>& sweeps) {
+  remember(sweeps);
   panel_->set_source(Record_panel::Source::animation);
   window_.show_panel();
 }
@@ -178,8 +181,8 @@ void Window_recording::prepare(const Sweep& sweep) {
 void Window_recording::play_or_stop() {
   if (player_.is_playing()) {
     player_.stop();
-  } else if (const auto known = sweeps_.find(last_sweep_); known != sweeps_.end()) {
-    play(known->second);
+  } else if (!animation_.empty()) {
+    play(animation_);
   } else {
     window_.tell(false, tr("Nothing is animated yet: choose a number in the settings with its button ▶"));
   }
@@ -232,13 +235,12 @@ void Window_recording::record() {
 
 Played_frames Window_recording::played_frames() {
   if (source_ == Record_panel::Source::evolution) return frames_of_track(document_);
-  const auto known = sweeps_.find(last_sweep_);
-  return known == sweeps_.end() ? Played_frames() : frames_of_sweeps(registry_, document_, {known->second});
+  return frames_of_sweeps(registry_, document_, animation_);
 }
 
 bool Window_recording::may_go_on() const {
   constexpr int most_waiting = 4;
-  return recorder_.waiting() < most_waiting;
+  return recorder_.queued() < most_waiting;
 }
 
 void Window_recording::begin_source() {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "shell/computation.h"
 #include "shell/document.h"
@@ -53,10 +54,13 @@ class Window_recording : public QObject {
 
   /// How the setting moved last; else over what its slider shows.
   Sweep sweep(const std::string& setting, double from, double to) const;
-  void remember(const Sweep& sweep);
-  void play(const Sweep& sweep);
-  /// Makes it what is recorded next, and shows the panel.
-  void prepare(const Sweep& sweep);
+  /// What moves together in the last animation; empty before the first.
+  const std::vector<Sweep>& animation() const { return animation_; }
+  /// Of the following, `sweeps` are of different settings, at least one.
+  void remember(const std::vector<Sweep>& sweeps);
+  void play(const std::vector<Sweep>& sweeps);
+  /// Makes them what is recorded next, and shows the panel.
+  void prepare(const std::vector<Sweep>& sweeps);
   /// Plays the last animation, or stops.
   void play_or_stop();
 
@@ -96,8 +100,8 @@ class Window_recording : public QObject {
   Frame_player player_;
   Record_panel* panel_;
   QToolButton* indicator_;
-  std::map<std::string, Sweep> sweeps_;                          ///< by setting
-  std::string last_sweep_;                                       ///< its setting; empty: none
+  std::map<std::string, Sweep> sweeps_;  ///< by setting: how each moved last
+  std::vector<Sweep> animation_;
   Record_panel::Source source_ = Record_panel::Source::changes;  ///< of the film that is recorded
   bool is_player_recorded_ = false;
   bool is_waiting_ = false;  ///< for the computation, before the first frame

@@ -2,12 +2,12 @@
 #include "core/batch/film_maker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 
 #include "core/batch/scene.h"
 #include "core/camera_path_3.h"
+#include "core/film_ranges.h"
 #include "core/turntable_3.h"
 
 namespace mesecina {
@@ -16,7 +16,10 @@ namespace fs = std::filesystem;
 
 fs::path film_name(const Recording& recording, const fs::path& input, bool is_only_input) {
   if (is_only_input) return recording.file;
-  return recording.file.parent_path() / (input.stem().string() + "." + recording.file.filename().string());
+  std::string stem = input.stem().string();
+  // In a name with a place for the number there is one %.
+  if (film_kind_of(recording.file) == Film_kind::frames) std::ranges::replace(stem, '%', '_');
+  return recording.file.parent_path() / (stem + "." + recording.file.filename().string());
 }
 
 Film_maker::Film_maker(const Command_line& command_line, std::shared_ptr<const Registry> registry,
@@ -53,35 +56,9 @@ Scene Film_maker::scene(Graph& graph, int frame, Progress& progress, std::vector
 }
 
 bool Film_maker::has_automatic_ranges() const {
-  const Scene scene = make_scene(*registry_, command_line_, command_line_.settings,
-                                 [](const std::string&) { return std::shared_ptr<const Primitive_set>(); });
-  return std::ranges::any_of(scene.layers, [](const Scene_layer& layer) {
-    return !layer.style.value.empty() && !(layer.style.range_minimum && layer.style.range_maximum);
-  });
-}
-
-void Film_maker::widen_ranges(const Scene& scene) {
-  for (const Scene_layer& layer : scene.layers) {
-    const Values* values = layer.primitives ? layer.primitives->find_values(layer.style.value) : nullptr;
-    if (!values) continue;
-    const std::vector<bool> drawn = drawn_elements(layer);
-    for (std::size_t i = 0; i < values->data.size(); ++i) {
-      const double value = values->data[i];
-      if (!std::isfinite(value) || (i < drawn.size() && !drawn[i])) continue;
-      const auto [range, is_first] = ranges_.try_emplace(layer.id, Range{value, value});
-      range->second.minimum = std::min(range->second.minimum, value);
-      range->second.maximum = std::max(range->second.maximum, value);
-    }
-  }
-}
-
-void Film_maker::set_ranges(Scene& scene) const {
-  for (Scene_layer& layer : scene.layers) {
-    const auto range = ranges_.find(layer.id);
-    if (range == ranges_.end()) continue;
-    if (!layer.style.range_minimum) layer.style.range_minimum = range->second.minimum;
-    if (!layer.style.range_maximum) layer.style.range_maximum = range->second.maximum;
-  }
+  return Film_ranges::are_wanted_by(
+      make_scene(*registry_, command_line_, command_line_.settings,
+                 [](const std::string&) { return std::shared_ptr<const Primitive_set>(); }));
 }
 
 View_3 Film_maker::view_3(const View_3& start, int frame) const {
@@ -114,7 +91,7 @@ std::string Film_maker::make(const fs::path& file, const std::vector<Evolution_s
   // Kept for all frames, so that only what changes is computed.
   Graph graph(registry_);
   const int passes = has_automatic_ranges() ? 2 : 1;
-  ranges_.clear();
+  Film_ranges ranges;
   int done = 0;
   for (int pass = 1; pass <= passes; ++pass) {
     for (int frame = 0; frame < count; ++frame) {
@@ -124,10 +101,10 @@ std::string Film_maker::make(const fs::path& file, const std::vector<Evolution_s
       Scene now = scene(graph, frame, progress, warnings);
       graph.clear_stages();
       if (pass == passes) {
-        set_ranges(now);
+        ranges.apply_to(now);
         film->add({std::move(now), view, view_3(start, frame)}, stop);
       } else {
-        widen_ranges(now);
+        ranges.widen(now);
       }
       if (listener_) listener_(++done, passes * count);
     }

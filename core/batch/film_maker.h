@@ -38,21 +38,13 @@ class Film_maker {
   Settings settings(const Evolution_state& state, int frame) const;
   Scene scene(Graph& graph, int frame, Progress& progress, std::vector<std::string>& warnings);
   bool has_automatic_ranges() const;
-  void widen_ranges(const Scene& scene);
-  void set_ranges(Scene& scene) const;
   View_3 view_3(const View_3& start, int frame) const;
-
-  struct Range {
-    double minimum = 0;
-    double maximum = 0;
-  };
 
   const Command_line& command_line_;
   const Recording& recording_;
   std::shared_ptr<const Registry> registry_;
   const Formats& formats_;
   Listener listener_;
-  std::map<std::string, Range> ranges_;  ///< by layer
 };
 
 }  // namespace mesecina

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QDir>
 #include <QFile>
@@ -9,15 +10,135 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QtTest>
+#include <limits>
 
 #include "core/graph.h"
 #include "geometries/modules_2.h"
 #include "layers/number_field.h"
 #include "layers/picture_formats.h"
+#include "shell/picture_cache.h"
 #include "window_fixture.h"
 
 namespace mesecina {
 namespace {
+
+/// Keeps the frames.
+class Collecting_film : public Film {
+ public:
+  explicit Collecting_film(std::vector<Film_frame>& frames) : frames_(frames) {}
+  void add(const Film_frame& frame, const std::stop_token&) override { frames_.push_back(frame); }
+  std::string finish(const std::stop_token&) override { return {}; }
+
+ private:
+  std::vector<Film_frame>& frames_;
+};
+
+class Colours_of_films : public testing::Test {
+ protected:
+  Colours_of_films() {
+    auto formats = std::make_shared<Formats>();
+    formats->make_film = [this](const Film_request&) { return std::make_unique<Collecting_film>(frames_); };
+    recorder_ = std::make_unique<Film_recorder>(formats);
+    Film_request request;
+    request.file = "film.mp4";
+    recorder_->start(request);
+  }
+  static Film_frame frame(std::vector<double> values, const char* coloured_by = "value") {
+    auto set = std::make_shared<Primitive_set>();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      set->vertices.push_back({static_cast<double>(i), 0, 0});
+      set->points.push_back(static_cast<int>(i));
+    }
+    set->values.push_back({"value", "", std::move(values)});
+    Film_frame result;
+    result.scene.layers.push_back({"layer", "Layer", std::move(set), {}, {}});
+    result.scene.layers[0].style.visible = true;
+    result.scene.layers[0].style.value = coloured_by;
+    return result;
+  }
+  using Range = std::pair<std::optional<double>, std::optional<double>>;
+  /// Of each frame that the film has got.
+  std::vector<Range> ranges() {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return recorder_->queued() == 0; }));
+    std::vector<Range> result;
+    for (const Film_frame& each : frames_) {
+      const Style& style = each.scene.layers[0].style;
+      result.emplace_back(style.range_minimum, style.range_maximum);
+    }
+    return result;
+  }
+  void finish() {
+    recorder_->finish();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !recorder_->is_active(); }));
+  }
+
+  std::vector<Film_frame> frames_;
+  std::unique_ptr<Film_recorder> recorder_;
+};
+
+TEST_F(Colours_of_films, HaveOneRangeInAllFrames) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (const auto& values : {std::vector<double>{1, 2}, {0, 5, never}, {3, 4}}) recorder_->add(frame(values));
+  EXPECT_TRUE(ranges().empty()) << "handed over before the range was known";
+  EXPECT_EQ(recorder_->frames(), 3);
+  EXPECT_EQ(recorder_->waiting(), 3);
+  finish();
+  EXPECT_EQ(ranges(), (std::vector<Range>{{0, 5}, {0, 5}, {0, 5}}));
+}
+
+TEST_F(Colours_of_films, KeepTheEndThatTheStyleSays) {
+  for (const auto& values : {std::vector<double>{1, 2}, {0, 5}}) {
+    Film_frame each = frame(values);
+    each.scene.layers[0].style.range_minimum = -1;
+    recorder_->add(std::move(each));
+  }
+  finish();
+  EXPECT_EQ(ranges(), (std::vector<Range>{{-1, 5}, {-1, 5}}));
+}
+
+TEST_F(Colours_of_films, FramesWithoutThemDoNotWait) {
+  recorder_->add(frame({1, 2}, ""));
+  EXPECT_EQ(ranges(), (std::vector<Range>{{}}));
+  Film_frame fixed = frame({1, 2});
+  fixed.scene.layers[0].style.range_minimum = 0;
+  fixed.scene.layers[0].style.range_maximum = 9;
+  recorder_->add(std::move(fixed));
+  EXPECT_EQ(ranges(), (std::vector<Range>{{}, {0, 9}}));
+  // From the first that has some on, all wait: frames keep their order.
+  recorder_->add(frame({1, 2}));
+  recorder_->add(frame({7}, ""));
+  EXPECT_EQ(ranges().size(), 2u);
+  finish();
+  EXPECT_EQ(ranges(), (std::vector<Range>{{}, {0, 9}, {1, 2}, {}}));
+}
+
+TEST_F(Colours_of_films, GrowWhereThePicturesThatWaitTakeTooMuchMemory) {
+  const Film_frame first = frame({1, 2});
+  const Film_frame second = frame({0, 2});
+  recorder_->set_held_bytes_budget(bytes_of(*first.scene.layers[0].primitives) * 3 / 2);
+  recorder_->add(first);
+  recorder_->add(first);
+  EXPECT_TRUE(ranges().empty()) << "one picture in two frames counts once";
+  recorder_->add(second);
+  EXPECT_EQ(ranges(), (std::vector<Range>{{0, 2}, {0, 2}, {0, 2}}));
+  recorder_->add(frame({1, 8}));
+  recorder_->add(frame({1}));
+  EXPECT_EQ(ranges(), (std::vector<Range>{{0, 2}, {0, 2}, {0, 2}, {0, 8}, {0, 8}}));
+  finish();
+  EXPECT_EQ(frames_.size(), 5u);
+}
+
+TEST_F(Colours_of_films, OfTheNextFilmBeginAnew) {
+  recorder_->add(frame({0, 100}));
+  recorder_->cancel();
+  EXPECT_EQ(recorder_->waiting(), 0);
+  Film_request request;
+  request.file = "next.mp4";
+  recorder_->start(request);
+  recorder_->add(frame({1, 2}));
+  finish();
+  EXPECT_EQ(ranges(), (std::vector<Range>{{1, 2}}));
+}
 
 class Recording : public Window_fixture {
  protected:
@@ -30,7 +151,12 @@ class Recording : public Window_fixture {
   Record_panel& panel() { return recording().panel(); }
   double angle() { return std::get<double>(make_registry()->value(document().settings(), "angle-limit")); }
   static const Registry* make_registry();
-  Sweep sweep(int steps) const { return {"angle-limit", 10, 20, steps, Sweep::Easing::linear, false}; }
+  std::vector<Sweep> sweep(int steps) const { return {{"angle-limit", 10, 20, steps, Sweep::Easing::linear, false}}; }
+  std::vector<Sweep> two_sweeps() const {
+    return {{"angle-limit", 10, 20, 3, Sweep::Easing::linear, false},
+            {"lambda-limit", 0, 4, 5, Sweep::Easing::linear, false}};
+  }
+  double lambda() { return std::get<double>(make_registry()->value(document().settings(), "lambda-limit")); }
 
   /// What the angle was, one after the other.
   void note_angles() {
@@ -88,7 +214,7 @@ TEST_F(Recording, WaitsForWhatIsComputed) {
     ++shown;
     EXPECT_FALSE(window().computation().is_busy());
   });
-  recording().play({"sampling-step", 0.02, 0.05, 7, Sweep::Easing::linear, false});
+  recording().play({{"sampling-step", 0.02, 0.05, 7, Sweep::Easing::linear, false}});
   ASSERT_TRUE(wait_until([&] { return !recording().player().is_playing(); }));
   EXPECT_EQ(shown, 7);
   EXPECT_GE(window().computation().requests(), requests + 7);
@@ -136,6 +262,61 @@ TEST_F(Recording, EveryNumberHasAButtonThatAsksHowItMoves) {
   popover->dismiss();
   QTest::mouseClick(animate, Qt::LeftButton);
   EXPECT_EQ(window().popover()->findChildren<Number_field*>()[0]->value(), 30);
+}
+
+TEST_F(Recording, SeveralNumbersMoveTogether) {
+  std::vector<std::pair<double, double>> both;
+  QObject::connect(&document(), &Document::changed, &window(), [&](const Document_change& change) {
+    if (change.settings) both.emplace_back(angle(), lambda());
+  });
+  const int steps_before = document().history().count();
+  panel().set_frames_per_second(200);
+  recording().play(two_sweeps());
+  ASSERT_TRUE(wait_until([&] { return !recording().player().is_playing(); }));
+  EXPECT_EQ(both, (std::vector<std::pair<double, double>>{{10, 0}, {15, 1}, {20, 2}, {20, 3}, {20, 4}}))
+      << "the shorter one waits at its end";
+  EXPECT_EQ(document().history().count(), steps_before + 1);
+  EXPECT_EQ(document().history().undoText(), "Animate Angle limit, Lambda limit");
+  EXPECT_EQ(recording().wish().sweeps, two_sweeps());
+  // A session brings them back.
+  const Film_wish wish = recording().wish();
+  recording().remember(sweep(2));
+  EXPECT_EQ(recording().wish().sweeps.size(), 1u);
+  recording().show(wish);
+  EXPECT_EQ(recording().animation(), two_sweeps());
+  set_file("two-%d.png");
+  recording().prepare(recording().animation());
+  trigger("record-film");
+  ASSERT_TRUE(wait_until_done());
+  EXPECT_EQ(files().size(), 5);
+}
+
+TEST_F(Recording, ANumberMovesAlongWithWhatMovedLast) {
+  recording().remember(sweep(3));
+  auto* animate = window().settings_panel().findChild<QToolButton*>("animate-lambda-limit");
+  ASSERT_NE(animate, nullptr);
+  QTest::mouseClick(animate, Qt::LeftButton);
+  auto* along = window().popover()->findChild<QCheckBox*>("animation-along");
+  ASSERT_NE(along, nullptr);
+  EXPECT_EQ(along->text(), "Along with Angle limit");
+  EXPECT_FALSE(along->isChecked());
+  auto* length = window().popover()->findChild<QLabel*>("animation-length");
+  window().popover()->findChild<QSpinBox*>()->setValue(2);
+  EXPECT_TRUE(length->text().startsWith("2 frames")) << length->text().toStdString();
+  EXPECT_EQ(recording().animation().size(), 1u);
+  along->setChecked(true);
+  EXPECT_TRUE(length->text().startsWith("3 frames")) << length->text().toStdString();
+  ASSERT_EQ(recording().animation().size(), 2u);
+  EXPECT_EQ(recording().animation()[0], sweep(3)[0]);
+  EXPECT_EQ(recording().animation()[1].setting, "lambda-limit");
+  window().popover()->dismiss();
+  QTest::mouseClick(animate, Qt::LeftButton);
+  along = window().popover()->findChild<QCheckBox*>("animation-along");
+  ASSERT_NE(along, nullptr);
+  EXPECT_TRUE(along->isChecked()) << "it moved along last time";
+  along->setChecked(false);
+  EXPECT_EQ(recording().animation().size(), 1u);
+  EXPECT_EQ(recording().animation()[0].setting, "lambda-limit");
 }
 
 TEST_F(Recording, AnAnimationHasAPictureForEveryStepAsFilesHaveThem) {

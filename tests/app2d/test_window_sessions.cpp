@@ -134,7 +134,7 @@ TEST_F(Window_sessions, TheBundleInForceIsKnownUntilUndone) {
 TEST_F(Window_sessions, WhatIsToBeRecordedComesBack) {
   Window_recording* recording = &window().recording();
   const Sweep sweep{"scale", 1, 1.5, 12, Sweep::Easing::smooth, true};
-  recording->prepare(sweep);
+  recording->prepare({sweep});
   recording->panel().set_size({320, 200});
   recording->panel().set_frames_per_second(12.5);
   recording->panel().set_transparent(true);
