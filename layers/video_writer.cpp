@@ -79,15 +79,18 @@ std::string quoted(const std::string& word) {
 
 /// What a user types to make the film of numbered pictures.
 std::string command_of(const Film_request& request, Film_kind kind, const fs::path& pattern) {
+  // In names of pictures % has a meaning, in folders too.
+  std::string folder;
+  for (const char c : (pattern.parent_path() / "").string()) folder += c == '%' ? std::string("%%") : std::string(1, c);
   std::string text = std::string(encoder) + " -framerate " + format_number(request.frames_per_second) + " -i " +
-                     quoted(pattern.string());
+                     quoted(file_word(folder + pattern.filename().string()));
   if (kind == Film_kind::gif) {
     text += " -lavfi " + quoted("split[a][b];[a]" + palette_filter(request) + "[p];[b][p]" + use_of_palette);
   } else {
     for (const std::string& word : encoding_words(request, kind))
       text += " " + (word.find_first_of("()*; ") == std::string::npos ? word : quoted(word));
   }
-  return text + " " + quoted(request.file.string());
+  return text + " " + quoted(file_word(request.file));
 }
 
 class Video final : public Film {

@@ -77,6 +77,15 @@ expect_file many/ellipse.all.gif
 expect_file many/other.all.gif
 expect_file many/other.points.json
 
+# Where frames are numbered, % in a name of an input has no meaning; else it stays.
+cp ellipse.xy 50%d.xy
+succeed --nogui 50%d.xy other.xy --layers points --sweep angle-limit=1:2:2 --size 32x32 --record numbered/f-%02d.png
+expect_file numbered/50_d.f-01.png
+expect_file numbered/50_d.f-02.png
+expect_file numbered/other.f-02.png
+succeed --nogui 50%d.xy other.xy --layers points --sweep angle-limit=1:2:2 --size 32x32 --record numbered/all.gif
+expect_file numbered/50%d.all.gif
+
 # Steps of evolutions are frames, and the state before them is the first.
 succeed --nogui ellipse.xy --layers points --evolve laplacian-smoothing=4 --size 160x120 --record smooth.mp4
 expect_film smooth.mp4 5 160x120 30/1
@@ -105,6 +114,14 @@ run_without_ffmpeg --nogui ellipse.xy --layers points --sweep angle-limit=1:2:2 
 expect_status 1
 expect_file 50_d-00001.png
 expect_file 50_d-00002.png
+
+# The command of such names works as well, in such folders too.
+mkdir 'c:d 7%d'
+run_without_ffmpeg --nogui ellipse.xy --layers points --sweep angle-limit=1:2:3 --size 64x48 --record 'c:d 7%d/9%d.mp4'
+expect_status 1
+grep -o "ffmpeg -framerate.*" stderr >command
+bash command 2>/dev/null || fail "expected the command to work: $(cat command)"
+expect_film 'file:c:d 7%d/9%d.mp4' 3 64x48 30/1
 
 # What ffmpeg complains of is told; nothing stays.
 cat >bin/ffmpeg <<'END'
