@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/evolutions_2/lloyd_2.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +20,8 @@
 namespace mesecina {
 
 namespace {
+
+using Hull_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Where normal . x <= offset.
 struct Half_plane {
@@ -75,6 +82,9 @@ struct Integrals {
   }
 };
 
+/// Sites with so many neighbours, and cells with so many corners, are dealt with in ways that take longer for fewer.
+constexpr std::size_t many_sides = 48;
+
 struct Site {
   int point = 0;
   Ring_2 cell;  ///< convex, counterclockwise; empty where the cell does not meet the box of the domain
@@ -100,6 +110,40 @@ std::vector<std::vector<int>> neighbors_of_sites(const Delaunay_2& triangulation
   return neighbors;
 }
 
+/// The cell of a site with many neighbours in O(n log n): of half-planes u . x <= 1 around the site, those that bound
+/// their intersection have the corners of the convex hull of all u. Nullopt where rounding does not allow it.
+std::optional<Ring_2> cell_of_many(const Point_2& p, const std::vector<Half_plane>& sides, const Box& box) {
+  // An end beyond the box.
+  double reach = 0;
+  for (const Point_2& corner : corners(box)) reach = std::max(reach, 2 * distance(p, corner));
+  std::vector<Hull_kernel::Point_2> duals{{1 / reach, 0}, {0, 1 / reach}, {-1 / reach, 0}, {0, -1 / reach}};
+  for (const Half_plane& side : sides) {
+    const double scale = -1 / side.excess(p);
+    if (!(scale > 0 && std::isfinite(scale))) return std::nullopt;
+    duals.emplace_back(scale * side.normal.x, scale * side.normal.y);
+  }
+  std::vector<Hull_kernel::Point_2> hull;
+  CGAL::convex_hull_2(duals.begin(), duals.end(), std::back_inserter(hull));
+  Ring_2 cell;
+  cell.reserve(hull.size());
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const auto& u = hull[i];
+    const auto& v = hull[i + 1 < hull.size() ? i + 1 : 0];
+    const double turn = u.x() * v.y() - u.y() * v.x();
+    if (!(turn > 0)) return std::nullopt;
+    cell.push_back({p.x + (v.y() - u.y()) / turn, p.y + (u.x() - v.x()) / turn});
+  }
+  return clipped(std::move(cell), box);
+}
+
+Ring_2 cell_in_box(const Point_2& p, const std::vector<Half_plane>& sides, const Box& box) {
+  if (sides.size() >= many_sides)
+    if (std::optional<Ring_2> cell = cell_of_many(p, sides, box)) return *std::move(cell);
+  Ring_2 cell = corners(box);
+  for (const Half_plane& side : sides) cell = clipped(cell, side);
+  return cell;
+}
+
 std::vector<Site> cells_in_box(const Delaunay_2& triangulation, const Box& box, Progress& progress) {
   std::vector<Site> sites;
   sites.reserve(triangulation.site_count);
@@ -109,13 +153,14 @@ std::vector<Site> cells_in_box(const Delaunay_2& triangulation, const Box& box, 
   parallel_for(sites.size(), progress, [&](std::size_t s) {
     Site& site = sites[s];
     const Point_2& p = triangulation.points[site.point];
-    site.cell = corners(box);
+    std::vector<Half_plane> sides;
     for (const int neighbor : neighbors[site.point]) {
       const Point_2& q = triangulation.points[neighbor];
       const Point_2 normal{q.x - p.x, q.y - p.y};
       const Point_2 middle = midpoint(p, q);
-      site.cell = clipped(site.cell, Half_plane{normal, normal.x * middle.x + normal.y * middle.y});
+      sides.push_back({normal, normal.x * middle.x + normal.y * middle.y});
     }
+    site.cell = cell_in_box(p, sides, box);
   });
   return sites;
 }
@@ -212,17 +257,42 @@ class Divider {
 
   void integrate(const Site& site, const std::vector<Part>& parts) {
     Integrals integrals;
+    integrate(site.cell, parts, points_[site.point], integrals);
+    centroids_[site.point] = centroid(integrals, points_[site.point], box_of(site.cell));
+  }
+
+  /// Adds what of the parts is in the convex cell. One with many corners is cut in two, and so are the parts.
+  static void integrate(std::span<const Point_2> cell, const std::vector<Part>& parts, const Point_2& origin,
+                        Integrals& integrals) {
+    if (parts.empty()) return;
+    if (cell.size() >= many_sides) {
+      const std::size_t middle = cell.size() / 2;
+      const auto first = cell.first(middle + 1);
+      Ring_2 second(cell.begin() + static_cast<std::ptrdiff_t>(middle), cell.end());
+      second.push_back(cell.front());
+      integrate(first, left_of(parts, cell[middle], cell[0]), origin, integrals);
+      integrate(second, left_of(parts, cell[0], cell[middle]), origin, integrals);
+      return;
+    }
     for (const Part& part : parts) {
       Ring_2 ring = part.ring;
-      for (std::size_t i = 0; i < site.cell.size() && !ring.empty(); ++i) {
-        const Point_2& a = site.cell[i];
-        const Point_2& b = site.cell[i + 1 < site.cell.size() ? i + 1 : 0];
-        const Point_2 normal{b.y - a.y, a.x - b.x};
-        ring = clipped(ring, Half_plane{normal, normal.x * a.x + normal.y * a.y});
-      }
-      integrals.add(ring, points_[site.point], part.sign);
+      for (std::size_t i = 0; i < cell.size() && !ring.empty(); ++i)
+        ring = clipped(ring, left_half_plane(cell[i], cell[i + 1 < cell.size() ? i + 1 : 0]));
+      integrals.add(ring, origin, part.sign);
     }
-    centroids_[site.point] = centroid(integrals, points_[site.point], box_of(site.cell));
+  }
+
+  static Half_plane left_half_plane(const Point_2& a, const Point_2& b) {
+    const Point_2 normal{b.y - a.y, a.x - b.x};
+    return {normal, normal.x * a.x + normal.y * a.y};
+  }
+
+  static std::vector<Part> left_of(const std::vector<Part>& parts, const Point_2& a, const Point_2& b) {
+    std::vector<Part> left;
+    for (const Part& part : parts)
+      if (Ring_2 ring = clipped(part.ring, left_half_plane(a, b)); !ring.empty())
+        left.push_back({std::move(ring), part.sign});
+    return left;
   }
 
   const std::vector<Point_2>& points_;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "../shapes.h"
 #include "evolving.h"
@@ -68,6 +70,17 @@ void expect_same(const Points& found, const Points& expected, const std::string&
     ASSERT_LT(distance(found[i], expected[i]), 1e-8) << what << " point " << i << " of " << found.size();
 }
 
+/// One point and about evenly many around it, from one angle to another: the cell of the one has many sides.
+Points around(const Point_2& middle, double radius, double from = 0, double to = 2 * std::numbers::pi) {
+  constexpr int count = 150;
+  Points points{middle};
+  for (int i = 0; i < count; ++i) {
+    const double angle = from + (to - from) * (i + 0.3 * std::sin(7.0 * i)) / count;
+    points.push_back({middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)});
+  }
+  return points;
+}
+
 std::vector<Named_points> point_sets() {
   return {{"random", uniform_points(40, 1)},
           {"one", {{0.3, 0.4}}},
@@ -75,7 +88,12 @@ std::vector<Named_points> point_sets() {
           {"equal", {{0.3, 0.4}, {0.3, 0.4}, {0.8, 0.1}, {0.3, 0.4}}},
           {"on a line", {{0.1, 0.1}, {0.9, 0.9}, {0.5, 0.5}, {0.2, 0.2}}},
           {"grid", scaled(grid_points(4, 4), -2)},
-          {"outside too", uniform_points(60, 2, 2)}};
+          {"outside too", uniform_points(60, 2, 2)},
+          {"around one", around({0.45, 0.55}, 0.4)},
+          {"half around one", around({0.45, 0.55}, 0.4, 0.5, 3.5)},
+          {"around one across the border", around({0.9, 0.2}, 0.7)},
+          {"around one outside", around({1.4, 0.6}, 1.5)},
+          {"around all", around({0.5, 0.5}, 5)}};
 }
 
 TEST(Lloyd_2, InABoxGivesWhatClippingGives) {
