@@ -24,6 +24,7 @@
 #include "geometries/dual_2/module.h"
 #include "geometries/scale_axis_2/module.h"
 #include "layers/panel_paint.h"
+#include "shell/panel_focus.h"
 
 // The macro needs the global namespace.
 static void load_icons() { Q_INIT_RESOURCE(icons); }
@@ -271,6 +272,8 @@ void Main_window_2::escape() {
     files_->jobs().cancel();
   } else if (computation_.is_busy() && computing_->isVisible()) {
     computation_.cancel();
+  } else if (leave_panel(*canvas_)) {
+    return;
   } else if (!editor_->selection().is_empty()) {
     editor_->select({});
   } else {

@@ -12,6 +12,7 @@
 #include "app3d/first_look_3.h"
 #include "layers/canvas_surface.h"
 #include "shell/element_facts.h"
+#include "shell/panel_focus.h"
 
 namespace mesecina {
 
@@ -221,6 +222,8 @@ void Main_window_3::escape() {
     files_->jobs().cancel();
   } else if (computation_.is_busy() && computing_->isVisible()) {
     computation_.cancel();
+  } else if (leave_panel(*canvas_)) {
+    return;
   } else if (!editor_->selection().is_empty()) {
     editor_->select({});
   } else {

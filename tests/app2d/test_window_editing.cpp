@@ -271,5 +271,21 @@ TEST_F(Window_fixture, LettersTypedIntoAFieldAreNoCommands) {
   EXPECT_EQ(document().layers(), before);
 }
 
+TEST_F(Window_fixture, EscapeLeavesAFieldOfAPanelAndThenDeselects) {
+  trigger("select-all");
+  auto* field = window().settings_panel().findChild<QAbstractSpinBox*>();
+  ASSERT_NE(field, nullptr);
+  field->setFocus();
+  ASSERT_TRUE(field->hasFocus());
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_TRUE(canvas().hasFocus());
+  EXPECT_FALSE(window().editor().selection().is_empty());
+  press(Qt::Key_Escape);
+  EXPECT_TRUE(window().editor().selection().is_empty());
+  // Keys act on the canvas again.
+  press(Qt::Key_2);
+  EXPECT_TRUE(find_entry(document().layers(), "delaunay")->style.visible);
+}
+
 }  // namespace
 }  // namespace mesecina
