@@ -18,6 +18,8 @@ namespace {
 /// Scenes with more elements are not painted at every step of a pan or zoom.
 constexpr std::size_t many_elements = 20000;
 constexpr std::size_t many_elements_for_opengl = 40000;
+/// Scenes with more elements take QPainter long enough to be felt.
+constexpr std::size_t many_elements_to_wait_for = 50000;
 constexpr int rest_milliseconds = 120;
 
 bool is_empty(const Canvas_content& content) {
@@ -174,14 +176,25 @@ Painter_surface_2::Painter_surface_2(const Canvas_content& content, QString desc
 Painter_surface_2::~Painter_surface_2() = default;
 
 void Painter_surface_2::scene_changed() {
-  picture_ = {};
+  ++scene_revision_;
   update();
+}
+
+bool Painter_surface_2::fits() const {
+  return !picture_.isNull() && picture_revision_ == scene_revision_ &&
+         picture_.devicePixelRatio() == devicePixelRatioF() &&
+         picture_.size() == (QSizeF(size()) * devicePixelRatioF()).toSize();
+}
+
+Picture_order Painter_surface_2::order() const {
+  return {content_.scene, content_.view, QSizeF(size()), devicePixelRatioF(), scene_revision_};
 }
 
 void Painter_surface_2::paint_picture() {
   const double ratio = devicePixelRatioF();
   const QSize pixels = (QSizeF(size()) * ratio).toSize();
   rest_.view = content_.view;
+  picture_revision_ = scene_revision_;
   if (software_ && is_sooner_by_opengl(content_.scene)) {
     const QImage image = software_->paint(content_.scene, content_.view, {pixels.width(), pixels.height(), ratio});
     picture_ = QPixmap::fromImage(image);
@@ -196,17 +209,46 @@ void Painter_surface_2::paint_picture() {
   paint_scene(painter, scene, content_.view, width(), height());
 }
 
+void Painter_surface_2::order_picture() {
+  if (ordered_ && ordered_->revision == scene_revision_ && ordered_->view == content_.view &&
+      ordered_->size == QSizeF(size()) && ordered_->pixel_ratio == devicePixelRatioF())
+    return;
+  if (!background_) {
+    background_ = std::make_unique<Background_picture>(
+        *this, [this](const QImage& picture, const Picture_order& order) { take_picture(picture, order); });
+  }
+  Picture_order wanted = order();
+  ordered_ = wanted;
+  ordered_->scene = {};
+  background_->paint(std::move(wanted));
+}
+
+void Painter_surface_2::take_picture(const QImage& picture, const Picture_order& order) {
+  if (order.revision < picture_revision_ || (fits() && rest_.view == content_.view)) return;
+  picture_ = QPixmap::fromImage(picture);
+  picture_revision_ = order.revision;
+  rest_.view = order.view;
+  update();
+}
+
 void Painter_surface_2::paintEvent(QPaintEvent*) {
-  const QSizeF picture_size = picture_.deviceIndependentSize();
-  const bool fits = !picture_.isNull() && picture_.devicePixelRatio() == devicePixelRatioF() &&
-                    (picture_size * devicePixelRatioF()).toSize() == (QSizeF(size()) * devicePixelRatioF()).toSize();
-  const bool is_current = fits && rest_.view == content_.view;
-  const std::size_t many = software_ && is_sooner_by_opengl(content_.scene) ? many_elements_for_opengl : many_elements;
-  const bool may_wait = fits && !rest_.must_be_exact && element_count(content_) > many;
-  if (!is_current && !may_wait) paint_picture();
+  const bool is_current = fits() && rest_.view == content_.view;
+  const bool is_by_opengl = software_ && is_sooner_by_opengl(content_.scene);
+  const std::size_t count = element_count(content_);
+  const std::size_t many = is_by_opengl ? many_elements_for_opengl : many_elements;
+  const bool may_wait = fits() && !rest_.must_be_exact && count > many;
+  if (is_current) {
+    ordered_.reset();
+  } else if (!may_wait) {
+    if (count > many_elements_to_wait_for && !is_by_opengl && !is_grabbing_) {
+      order_picture();
+    } else {
+      paint_picture();
+    }
+  }
   rest_.note(content_.view);
   QPainter painter(this);
-  if (rest_.view == content_.view) {
+  if (fits() && rest_.view == content_.view) {
     painter.drawPixmap(QPointF(), picture_);
   } else {
     const Color& ground = content_.scene.background;
@@ -214,7 +256,7 @@ void Painter_surface_2::paintEvent(QPaintEvent*) {
     const double factor = content_.view.scale / rest_.view.scale;
     const Point_2 middle = content_.view.to_pixel(rest_.view.center, width(), height());
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    const QSizeF shown = QSizeF(size()) * factor;
+    const QSizeF shown = picture_.deviceIndependentSize() * factor;
     painter.drawPixmap(QRectF(QPointF(middle.x - shown.width() / 2, middle.y - shown.height() / 2), shown), picture_,
                        QRectF(picture_.rect()));
   }
@@ -229,7 +271,10 @@ void Painter_surface_2::paintEvent(QPaintEvent*) {
 
 QImage Painter_surface_2::grab_picture() {
   rest_.must_be_exact = true;
-  return grab().toImage().convertToFormat(QImage::Format_RGB32);
+  is_grabbing_ = true;
+  const QImage picture = grab().toImage().convertToFormat(QImage::Format_RGB32);
+  is_grabbing_ = false;
+  return picture;
 }
 
 std::size_t Painter_surface_2::uploaded_bytes() const { return software_ ? software_->uploaded_bytes() : 0; }

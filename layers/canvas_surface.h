@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/style.h"
+#include "layers/background_picture.h"
 #include "layers/gl_renderer_2.h"
 
 namespace mesecina {
@@ -98,7 +99,8 @@ class Gl_surface_2 : public QOpenGLWidget, public Canvas_surface {
 };
 
 /// Keeps a picture of the scene: while the view of a large one moves, that is shown in its place, and painted anew when
-/// it rests. Hovering and selecting paint above it.
+/// it rests. Very large scenes are painted in the background, and the last picture is shown until then. Hovering and
+/// selecting paint above it.
 class Painter_surface_2 : public QWidget, public Canvas_surface {
  public:
   /// `description`: of how it draws. `software` (may be null) paints the pictures of scenes that is sooner for.
@@ -117,12 +119,22 @@ class Painter_surface_2 : public QWidget, public Canvas_surface {
 
  private:
   void paint_picture();
+  void order_picture();
+  void take_picture(const QImage& picture, const Picture_order& order);
+  /// The picture is that of the scene, in the size of the widget; perhaps of another view.
+  bool fits() const;
+  Picture_order order() const;
 
   const Canvas_content& content_;
   QString description_;
   std::unique_ptr<Software_pictures> software_;
-  QPixmap picture_;  ///< of the scene; null when it has changed
+  QPixmap picture_;                     ///< of a scene; null at first
+  std::uint64_t scene_revision_ = 1;    ///< of the scene to be shown
+  std::uint64_t picture_revision_ = 0;  ///< of the scene in the picture
+  bool is_grabbing_ = false;
+  std::optional<Picture_order> ordered_;  ///< the last one, without its scene
   Picture_rest rest_;
+  std::unique_ptr<Background_picture> background_;  ///< null until there is a very large scene
 };
 
 }  // namespace mesecina

@@ -68,5 +68,58 @@ TEST(Painter_canvas, LargeScenesAreExactAgainWhenTheViewRests) {
       QTest::qWaitFor([&] { return surface->grab().toImage().convertToFormat(QImage::Format_RGB32) == exact; }));
 }
 
+/// Points in rows of 400.
+Scene scene_of_points(int count, Color color) {
+  auto set = std::make_shared<Primitive_set>();
+  for (int i = 0; i < count; ++i) set->points.push_back(add_vertex(*set, i % 400, i / 400));
+  Scene scene;
+  scene.layers.push_back(make_layer("points", set, color));
+  scene.layers[0].style.point_size = 2;
+  return scene;
+}
+
+TEST(Painter_canvas, VeryLargeScenesArePaintedWhileTheWindowGoesOn) {
+  constexpr int many = 100000;
+  Canvas_2 canvas(Canvas_2::Backend::painter);
+  canvas.resize(320, 240);
+  canvas.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+  QWidget* surface = canvas.findChildren<QWidget*>().first();
+  const auto shown = [&] { return surface->grab().toImage().convertToFormat(QImage::Format_RGB32); };
+  const Scene blue = scene_of_points(many, {0, 0, 120});
+  const Scene red = scene_of_points(many, {200, 0, 0});
+  canvas.set_scene(blue);
+  canvas.fit(blue.layers[0].primitives->bounding_box());
+  // The first time there is nothing but paper to show.
+  const QImage before = shown();
+  EXPECT_EQ(before.pixelColor(160, 120), QColor(Qt::white));
+  const auto middle = [&] { return shown().pixelColor(160, 120); };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle().blue() > middle().red() + 50; }));
+  // Then the last picture, until the new one is there.
+  canvas.set_scene(red);
+  EXPECT_GT(middle().blue(), middle().red() + 50);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle().red() > middle().blue() + 50; }));
+  const QImage finished = shown();
+  EXPECT_EQ(finished, canvas.grab_picture());
+  // Who asks for the picture gets that of the newest scene, and nothing older comes after it.
+  canvas.set_scene(blue);
+  shown();
+  canvas.set_scene(red);
+  EXPECT_EQ(canvas.grab_picture(), finished);
+  QTest::qWait(300);
+  EXPECT_EQ(shown(), finished);
+}
+
+TEST(Painter_canvas, GoesWhileItPaintsInTheBackground) {
+  Canvas_2 canvas(Canvas_2::Backend::painter);
+  canvas.resize(320, 240);
+  canvas.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&canvas));
+  const Scene scene = scene_of_points(200000, {0, 0, 120});
+  canvas.set_scene(scene);
+  canvas.fit(scene.layers[0].primitives->bounding_box());
+  canvas.findChildren<QWidget*>().first()->grab();
+}
+
 }  // namespace
 }  // namespace mesecina
