@@ -282,13 +282,25 @@ void Manual::add_options() {
   const auto help = parsed_arguments(subject_, {QStringLiteral("--help")});
   const auto* exit = std::get_if<Early_exit>(&help);
   const QString text = exit ? QString::fromStdString(exit->text).toHtmlEscaped() : QString();
-  static const QRegularExpression option(QStringLiteral("^  (?:-\\w,)?(--[\\w-]+)"),
-                                         QRegularExpression::MultilineOption);
-  const QString body = replaced(text, option, [this](const QRegularExpressionMatch& match) {
-    anchors_[QStringLiteral("option:") + match.captured(1)] = QStringLiteral("options");
-    return anchor(QStringLiteral("option-") + match.captured(1)) + match.captured(0);
-  });
-  add_page(QStringLiteral("options"), tr("Options of the command line"), QStringLiteral("<pre>%1</pre>\n").arg(body));
+  // Lines of an option begin with two spaces, those that go on with what it does are indented far.
+  static const QRegularExpression option(QStringLiteral("^  ((?:-\\w,)?(--[\\w-]+)(?: ?\\S+)*)(?:\\s{2,}(.*))?$"));
+  static const QRegularExpression heading(QStringLiteral("^(\\w+):$"));
+  static const QRegularExpression more(QStringLiteral("^ {10,}(.*)$"));
+  QString body;
+  for (const QString& line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+    if (const auto match = option.match(line); match.hasMatch()) {
+      anchors_[QStringLiteral("option:") + match.captured(2)] = QStringLiteral("options");
+      body += QStringLiteral("<h3>%1%2</h3>\n%3\n")
+                  .arg(anchor(QStringLiteral("option-") + match.captured(2)), match.captured(1), match.captured(3));
+    } else if (const auto title = heading.match(line); title.hasMatch()) {
+      body += QStringLiteral("<h2>%1</h2>\n").arg(title.captured(1));
+    } else if (const auto rest = more.match(line); rest.hasMatch()) {
+      body += rest.captured(1) + QLatin1Char('\n');
+    } else {
+      body += QStringLiteral("<p>%1</p>\n").arg(line.trimmed());
+    }
+  }
+  add_page(QStringLiteral("options"), tr("Options of the command line"), body);
 }
 
 const Manual_figure* Manual::find_figure(const QString& name) const {

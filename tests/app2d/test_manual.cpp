@@ -70,6 +70,9 @@ TEST_F(Manual_in_window, ShowsPagesFollowsLinksAndSearches) {
   manual().search("topology-preserving");
   ASSERT_FALSE(manual().listed().isEmpty());
   EXPECT_TRUE(manual().listed().front().contains("Preserve topology"));
+  manual().search("--sweep");
+  ASSERT_FALSE(manual().listed().isEmpty());
+  EXPECT_TRUE(manual().listed().front().contains("--sweep")) << manual().listed().front().toStdString();
   manual().search("xyzzyx");
   EXPECT_TRUE(manual().listed().isEmpty());
   manual().search("");
