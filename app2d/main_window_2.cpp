@@ -326,6 +326,21 @@ void Main_window_2::show_view(const Session& session) {
   }
 }
 
+void Main_window_2::show_places(const std::vector<Place>& places) {
+  Selection_2 selection;
+  const auto points = document_.inputs().get(points_input);
+  const auto disks = document_.inputs().get(disks_input);
+  for (const Place& place : places) {
+    // They may be gone by now.
+    if (place.input == points_input.id && points && place.element < points->size())
+      selection.points.push_back(place.element);
+    if (place.input == disks_input.id && disks && place.element < disks->size())
+      selection.disks.push_back(place.element);
+  }
+  if (!selection.is_empty()) editor_->select(std::move(selection));
+  canvas_->fit(box_around(places, bounding_box(document_.inputs())));
+}
+
 void Main_window_2::finish_drawing() { canvas_->grab_picture(); }
 
 }  // namespace mesecina

@@ -45,6 +45,7 @@ class Main_window_2 : public Program_window {
   Film_frame picture_frame(const QSize& size, const QSize& seen) const override;
   void show_scene() override;
   void show_title() override;
+  void show_places(const std::vector<Place>& places) override;
   void show_document(const Document_change& change) override;
   QString unsaved_text() const override;
   void files_loaded() override;

@@ -231,4 +231,19 @@ void Main_window_3::escape() {
   }
 }
 
+void Main_window_3::show_places(const std::vector<Place>& places) {
+  Selection_3 selection;
+  const auto cloud = document_.inputs().get(cloud_input);
+  const auto balls = document_.inputs().get(balls_input);
+  for (const Place& place : places) {
+    // They may be gone by now.
+    if (place.input == cloud_input.id && cloud && place.element < cloud->size())
+      selection.points.push_back(place.element);
+    if (place.input == balls_input.id && balls && place.element < balls->size())
+      selection.balls.push_back(place.element);
+  }
+  if (!selection.is_empty()) editor_->select(std::move(selection));
+  if (viewer_) viewer_->fit(box_around(places, bounding_box(document_.inputs())));
+}
+
 }  // namespace mesecina

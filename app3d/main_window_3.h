@@ -49,6 +49,7 @@ class Main_window_3 : public Program_window {
   Film_frame picture_frame(const QSize& size, const QSize& seen) const override;
   void show_scene() override;
   void show_title() override;
+  void show_places(const std::vector<Place>& places) override;
   QString unsaved_text() const override;
   void files_loaded() override;
   void add_view(Session& session) const override;

@@ -34,7 +34,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 struct Graph::Node {
   std::shared_ptr<void> value;
   std::string reason;
-  std::vector<std::string> warnings;
+  std::vector<Remark> remarks;
   std::map<std::string, double> measures;
   std::map<std::string, std::string> notes;
   std::vector<Read> reads;
@@ -125,8 +125,9 @@ const Setting_value& Context::setting_value(std::string_view id) {
 
 Progress& Context::progress() { return *graph_.state_->progress; }
 
-void Context::warn(std::string text) {
-  if (frame_.node) frame_.node->warnings.push_back(std::move(text));
+void Context::warn(std::string text, std::vector<Place> places) {
+  if (places.size() > most_places) places.resize(most_places);
+  if (frame_.node) frame_.node->remarks.push_back({std::move(text), std::move(places)});
 }
 
 void Context::measure(std::string name, double value) {
@@ -223,7 +224,7 @@ void Graph::State::compute(Graph& graph, std::string_view id, Node& n) {
   std::shared_ptr<void> previous = std::move(n.value);
   n.value = nullptr;
   n.reason.clear();
-  n.warnings.clear();
+  n.remarks.clear();
   n.measures.clear();
   n.notes.clear();
   n.reads.clear();
@@ -335,8 +336,8 @@ std::map<std::string, std::string> Graph::notes() const {
   return result;
 }
 
-std::vector<std::string> Graph::warnings(std::string_view layer_id) const {
-  std::vector<std::string> result;
+std::vector<Remark> Graph::remarks(std::string_view layer_id) const {
+  std::vector<Remark> result;
   std::set<std::string> seen;
   const auto visit = [&](const auto& self, const std::string& id) -> void {
     if (!seen.insert(id).second) return;
@@ -344,11 +345,17 @@ std::vector<std::string> Graph::warnings(std::string_view layer_id) const {
     if (it == state_->nodes.end()) return;
     for (const Read& read : it->second.reads)
       if (const auto* other = std::get_if<Read_node>(&read)) self(self, other->id);
-    for (const std::string& warning : it->second.warnings)
-      if (std::ranges::find(result, warning) == result.end()) result.push_back(warning);
+    for (const Remark& remark : it->second.remarks)
+      if (std::ranges::find(result, remark.text, &Remark::text) == result.end()) result.push_back(remark);
   };
   visit(visit, std::string(layer_prefix) + std::string(layer_id));
   return result;
+}
+
+std::vector<std::string> Graph::warnings(std::string_view layer_id) const {
+  std::vector<std::string> texts;
+  for (Remark& remark : remarks(layer_id)) texts.push_back(std::move(remark.text));
+  return texts;
 }
 
 std::uint64_t Graph::computations(std::string_view id) const {

@@ -11,6 +11,7 @@
 
 #include "core/inputs.h"
 #include "core/outcome.h"
+#include "core/place.h"
 #include "core/progress.h"
 #include "core/registry.h"
 #include "core/settings.h"
@@ -39,8 +40,9 @@ class Context {
     return std::get<T>(setting_value(setting.id));
   }
   Progress& progress();
-  /// A remark for the user that is no failure ("12 of 1000 points are duplicates"); kept with the result.
-  void warn(std::string text);
+  /// A remark for the user that is no failure ("12 of 1000 points are duplicates"), and where it is seen; kept with the
+  /// result.
+  void warn(std::string text, std::vector<Place> places = {});
   /// A number reached that statistics shall tell ("hausdorff"); kept with the result.
   void measure(std::string name, double value);
   /// A fact that statistics shall tell ("repair": "oriented"); kept with the result.
@@ -101,7 +103,9 @@ class Graph {
   /// The computations since the last call of clear_stages, in the order they ended.
   const std::vector<Stage>& stages() const;
   void clear_stages();
-  /// Warnings of all structures that the layer rests on, each once.
+  /// What all structures that the layer rests on have warned of, each once.
+  std::vector<Remark> remarks(std::string_view layer_id) const;
+  /// Their texts.
   std::vector<std::string> warnings(std::string_view layer_id) const;
   /// What all structures that have been computed and are up to date have measured.
   std::map<std::string, double> measures() const;

@@ -181,7 +181,7 @@ void Worker::State::serve(Request request) {
       Layer_result result{ticket, layer, {}, {}, 0};
       if (graph.registry().find_layer(layer)) {
         result.outcome = graph.layer(layer, progress);
-        result.warnings = graph.warnings(layer);
+        result.remarks = graph.remarks(layer);
       } else {
         result.outcome.reason = "no layer '" + layer + "'";
       }

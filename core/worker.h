@@ -29,7 +29,7 @@ class Worker {
     std::uint64_t ticket = 0;
     std::string layer;
     Outcome<Primitive_set> outcome;
-    std::vector<std::string> warnings;
+    std::vector<Remark> remarks;
     double seconds = 0;
   };
   /// Steps of an evolution, one after the other, each from the state before.

@@ -11,8 +11,8 @@ void add_smoothing_settings(Registry& registry) {
     setting.id = smoothing_factor_setting.id;
     setting.label = "Smoothing: factor";
     setting.help =
-        "How far a step of laplacian-smoothing moves a point toward the middle of its neighbours: 0 not at all, 0.5 "
-        "half of the way, 1 all of it. With smoothing-keeps-size at most 0.69 is used.";
+        "How far a step of {laplacian-smoothing} moves a point toward the middle of its neighbours: 0 not at all, 0.5 "
+        "half of the way, 1 all of it. With {smoothing-keeps-size} at most 0.69 is used.";
     setting.unit = "part of the way";
     setting.default_value = 0.5;
     setting.minimum = 0;
@@ -25,7 +25,8 @@ void add_smoothing_settings(Registry& registry) {
     setting.id = smoothing_keeps_size_setting.id;
     setting.label = "Smoothing: keep the size";
     setting.help =
-        "Each step of laplacian-smoothing goes back by a slightly larger factor after it went forth, so that the shape "
+        "Each step of {laplacian-smoothing} goes back by a slightly larger factor after it went forth, so that the "
+        "shape "
         "does not shrink: only what is small is smoothed away (the lambda|mu scheme with pass band 0.1). [G. Taubin: A "
         "signal processing approach to fair surface design, 1995]";
     setting.default_value = false;
@@ -67,8 +68,9 @@ void add_growing_settings(Registry& registry) {
   setting.id = growing_step_setting.id;
   setting.label = "Growing: step";
   setting.help =
-      "By how much radii change in a step: of grow-balls and shrink-balls in percent of what they were at first, of "
-      "stepped-growing in percent of what they are.";
+      "By how much radii change in a step: of {grow-balls} and {shrink-balls} in percent of what they were at first, "
+      "of "
+      "{stepped-growing} in percent of what they are.";
   setting.unit = "percent";
   setting.default_value = 3.0;
   setting.minimum = 0;

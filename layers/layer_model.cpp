@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/help_text.h"
 #include "layers/missing_input.h"
 #include "layers/panel_paint.h"
 
@@ -196,7 +197,7 @@ QVariant Layer_model::layer_data(const Layer_entry& entry, int role) const {
       return entry.style.visible ? tr("%1, visible").arg(QString::fromStdString(spec.label))
                                  : tr("%1, hidden").arg(QString::fromStdString(spec.label));
     case Qt::AccessibleDescriptionRole:
-      return status.reason.isEmpty() ? QString::fromStdString(spec.help) : status.reason;
+      return status.reason.isEmpty() ? help_of(spec) : status.reason;
     case id_role:
       return QString::fromStdString(entry.id);
     case style_role:
@@ -214,17 +215,20 @@ QVariant Layer_model::layer_data(const Layer_entry& entry, int role) const {
     case warnings_role:
       return entry.style.visible ? status.warnings : QStringList();
     case search_role:
-      return QStringList{QString::fromStdString(spec.label), QString::fromStdString(spec.id),
-                         QString::fromStdString(spec.help)}
-          .join(QLatin1Char('\n'));
+      return QStringList{QString::fromStdString(spec.label), QString::fromStdString(spec.id), help_of(spec)}.join(
+          QLatin1Char('\n'));
     default:
       return {};
   }
 }
 
+QString Layer_model::help_of(const Layer_spec& spec) const {
+  return QString::fromStdString(with_labels(spec.help, *registry_));
+}
+
 QString Layer_model::tool_tip(const Layer_spec& spec) const {
   QString text = QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(spec.label).toHtmlEscaped());
-  if (!spec.help.empty()) text += QStringLiteral("<p>%1</p>").arg(QString::fromStdString(spec.help).toHtmlEscaped());
+  if (!spec.help.empty()) text += QStringLiteral("<p>%1</p>").arg(help_of(spec).toHtmlEscaped());
   if (const auto it = statuses_.find(spec.id); it != statuses_.end()) {
     const Layer_status& status = it->second;
     if (status.state == Layer_status::State::failed) {

@@ -66,6 +66,7 @@ class Layer_model : public QAbstractItemModel {
   const Layer_entry& entry(const QModelIndex& index) const;
   QVariant stage_data(const Shown_stage& stage, int role) const;
   QVariant layer_data(const Layer_entry& entry, int role) const;
+  QString help_of(const Layer_spec& spec) const;
   QString tool_tip(const Layer_spec& spec) const;
   quintptr stage_number(const std::string& stage) const;
   void layout(std::vector<Shown_stage> stages, const Layer_list& layers);

@@ -5,7 +5,9 @@
 #include <QStringList>
 #include <QWidget>
 #include <memory>
+#include <vector>
 
+#include "core/place.h"
 #include "layers/layer_list.h"
 
 namespace mesecina {
@@ -15,7 +17,8 @@ struct Layer_status {
   State state = State::not_computed;
   QString reason;  ///< when failed
   QStringList warnings;
-  std::size_t count = 0;  ///< elements
+  std::vector<std::vector<Place>> places = {};  ///< of each warning, where it is
+  std::size_t count = 0;                        ///< elements
   double seconds = 0;
 };
 

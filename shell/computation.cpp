@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/help_text.h"
 #include "shell/theme.h"
 
 namespace mesecina {
@@ -83,6 +84,7 @@ Layer_status Computation::status(const std::string& layer) const {
   const Layer& known = it->second;
   status.reason = known.picture.reason;
   status.warnings = known.picture.warnings;
+  status.places = known.picture.places;
   status.seconds = known.picture.seconds;
   status.count = known.picture.primitives ? known.picture.primitives->element_count() : 0;
   if (known.is_computing) {
@@ -217,8 +219,14 @@ void Computation::take(const Worker::Layer_result& result) {
   layer.is_computing = false;
   if (sent->second < layer.generation) return;
   layer.generation = sent->second;
-  layer.picture = {result.outcome.value, QString::fromStdString(result.outcome.reason), {}, result.seconds};
-  for (const std::string& warning : result.warnings) layer.picture.warnings << QString::fromStdString(warning);
+  const auto text_of = [this](const std::string& text) {
+    return QString::fromStdString(with_labels(text, *registry_));
+  };
+  layer.picture = {result.outcome.value, text_of(result.outcome.reason), {}, {}, result.seconds};
+  for (const Remark& remark : result.remarks) {
+    layer.picture.warnings << text_of(remark.text);
+    layer.picture.places.push_back(remark.places);
+  }
   if (document_.track()) keep(result.layer);
   touch(result.layer);
   Q_EMIT scene_changed();

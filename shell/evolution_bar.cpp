@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/help_text.h"
 #include "shell/step_slider.h"
 #include "shell/transport_icons.h"
 
@@ -192,9 +193,9 @@ void Evolution_bar::show_fitness() {
   for (int row = 0; row < static_cast<int>(all.size()); ++row) {
     const Evolution_spec& spec = all[static_cast<std::size_t>(row)];
     const QString reason = control_.why_unfit(spec.id);
-    const QString tip = reason.isEmpty() ? text_of(spec.help)
-                                         : tr("Not for the present data: %1.").arg(reason) + QStringLiteral("\n\n") +
-                                               text_of(spec.help);
+    const QString help = text_of(with_labels(spec.help, control_.registry()));
+    const QString tip =
+        reason.isEmpty() ? help : tr("Not for the present data: %1.").arg(reason) + QStringLiteral("\n\n") + help;
     if (evolutions_->itemData(row, Qt::ToolTipRole).toString() == tip) continue;
     evolutions_->setItemData(row, tip, Qt::ToolTipRole);
     const QVariant dim = reason.isEmpty() ? QVariant() : palette().brush(QPalette::Disabled, QPalette::Text);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/evolution_needs.h"
+#include "core/help_text.h"
 
 namespace mesecina {
 
@@ -36,7 +37,8 @@ Evolution_control::Evolution_control(std::shared_ptr<const Registry> registry, D
 QString Evolution_control::why_unfit(const std::string& evolution) const {
   const Evolution_spec* spec = registry_->find_evolution(evolution);
   if (!spec) return {};
-  return QString::fromStdString(mesecina::why_unfit(*spec, {document_.inputs(), document_.settings()}));
+  const std::string reason = mesecina::why_unfit(*spec, {document_.inputs(), document_.settings()});
+  return QString::fromStdString(with_labels(reason, *registry_));
 }
 
 void Evolution_control::choose_first_fit() {

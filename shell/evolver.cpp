@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/help_text.h"
+
 namespace mesecina {
 
 Evolver::Evolver(std::shared_ptr<const Registry> registry, Document& document, QObject* parent)
@@ -71,7 +73,8 @@ void Evolver::react(const Document_change& change) {
 void Evolver::take(const Worker::Step_result& result) {
   if (!is_busy_ || result.ticket != ticket_) return;
   if (!result.outcome) {
-    Q_EMIT ended(QString::fromStdString(evolution_->label), QString::fromStdString(result.outcome.reason));
+    Q_EMIT ended(QString::fromStdString(evolution_->label),
+                 QString::fromStdString(with_labels(result.outcome.reason, *registry_)));
     return;
   }
   const Evolution_state before = std::exchange(state_, *result.outcome.value);

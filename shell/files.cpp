@@ -358,6 +358,7 @@ void Files::export_layers(const QString& folder, const Scene& scene, const std::
   const auto work = [this, known = formats_, folder, layers = scene.layers, formats, settings, reasons,
                      file_stem = stem(), input = title(), dimension = kinds_.dimension]() -> std::function<void()> {
     int written = 0;
+    QStringList empty_files;
     try {
       for (const Scene_layer& layer : layers) {
         if (!layer.style.visible) continue;
@@ -380,12 +381,15 @@ void Files::export_layers(const QString& folder, const Scene& scene, const std::
                   .arg(folder, file_stem, QString::fromStdString(layer.id), QString::fromStdString(writer->extension));
           write_file(path.toStdString(), [&](std::ostream& stream) { writer->write(stream, document); });
           ++written;
+          if (const std::string text = empty_file_text(*writer, primitives); !text.empty())
+            empty_files << QStringLiteral("%1: %2").arg(path, QString::fromStdString(text));
         }
       }
     } catch (const std::exception& error) {
       return [this, text = message_of(error)] { Q_EMIT told(Message_bar::Kind::error, text); };
     }
-    return [this, folder, written] {
+    return [this, folder, written, empty_files] {
+      for (const QString& line : empty_files) Q_EMIT told(Message_bar::Kind::warning, line);
       Q_EMIT told(Message_bar::Kind::note, tr("Wrote %1 files into %2").arg(written).arg(folder));
     };
   };

@@ -34,6 +34,10 @@ QString line_of(const Log_panel::Entry& entry) {
       QLatin1Char('\t'));
 }
 
+bool leads_somewhere(const Log_panel::Entry& entry) {
+  return !entry.places.empty() || !entry.layer.isEmpty() || !path_in(entry.text).isEmpty();
+}
+
 }  // namespace
 
 QString path_in(const QString& text) {
@@ -56,7 +60,9 @@ Log_panel::Log_panel(QWidget* parent) : QWidget(parent), level_(new QComboBox(th
   level_->addItem(tr("Warnings and errors"), static_cast<int>(Message_bar::Kind::warning));
   level_->addItem(tr("Errors"), static_cast<int>(Message_bar::Kind::error));
   list_->setAccessibleName(tr("Log"));
-  list_->setToolTip(tr("Double click or Enter: select the layer, or open the folder of the file"));
+  list_->setToolTip(
+      tr("Double click or Enter: show the place and select what is there, select the layer, or open the folder of the "
+         "file"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setHeaderLabels({tr("Time"), tr("Level"), tr("From"), tr("Message")});
@@ -108,6 +114,7 @@ void Log_panel::show_entry(std::size_t number) {
       list_, {entry.time.toString(QStringLiteral("HH:mm:ss")), level_text(entry.kind), entry.source, entry.text});
   item->setData(0, Qt::UserRole, static_cast<int>(number));
   item->setToolTip(3, entry.text);
+  if (leads_somewhere(entry)) item->setForeground(2, palette().color(QPalette::Link));
   if (entry.kind == Message_bar::Kind::error) item->setForeground(1, failure_color(palette()));
   if (entry.kind == Message_bar::Kind::warning) item->setForeground(1, warning_color(palette()));
   list_->scrollToItem(item);
@@ -125,7 +132,9 @@ void Log_panel::clear() {
 }
 
 void Log_panel::jump(int entry) {
-  const Entry& chosen = entries_.at(static_cast<std::size_t>(entry));
+  // What is shown may say more.
+  const Entry chosen = entries_.at(static_cast<std::size_t>(entry));
+  if (!chosen.places.empty()) Q_EMIT places_chosen(chosen.places);
   if (!chosen.layer.isEmpty()) {
     Q_EMIT layer_chosen(chosen.layer);
   } else if (const QString path = path_in(chosen.text); !path.isEmpty()) {

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "core/place.h"
 #include "shell/message_bar.h"
 
 class QComboBox;
@@ -20,7 +21,8 @@ class Log_panel : public QWidget {
     Message_bar::Kind kind = Message_bar::Kind::note;
     QString source;  ///< "Files", "Medial axis"
     QString text;
-    QString layer;  ///< its id; empty for none
+    QString layer;                   ///< its id; empty for none
+    std::vector<Place> places = {};  ///< that it is about
     QDateTime time = QDateTime::currentDateTime();
   };
   static constexpr std::size_t most_entries = 2000;
@@ -33,6 +35,8 @@ class Log_panel : public QWidget {
   QString text() const;
 
  Q_SIGNALS:
+  /// The user wants to see where that is.
+  void places_chosen(const std::vector<mesecina::Place>& places);
   /// The user wants to see the layer that an entry is about.
   void layer_chosen(const QString& layer);
   /// The user wants to see the folder of a file.

@@ -14,6 +14,7 @@
 
 #include "core/batch/command_line.h"
 #include "core/evolution_needs.h"
+#include "core/help_text.h"
 #include "layers/color_map.h"
 
 // The macro needs the global namespace.
@@ -168,6 +169,8 @@ void Manual::add_chapters() {
   }
 }
 
+QString Manual::help_of(const std::string& help) const { return escaped(with_labels(help, subject_.registry)); }
+
 void Manual::add_layers() {
   QString body = QStringLiteral("<p>%1</p>\n")
                      .arg(tr("Every layer of the program, stage by stage. The name in the second place is that of "
@@ -175,7 +178,7 @@ void Manual::add_layers() {
   std::string stage;
   for (const Layer_spec& spec : subject_.registry.layers()) {
     if (spec.stage != stage) body += QStringLiteral("<h2>%1</h2>\n").arg(escaped(stage = spec.stage));
-    QString text = escaped(spec.help);
+    QString text = help_of(spec.help);
     const auto add_setting = [&](const QString& words, const std::string& id) {
       if (!id.empty())
         text += QLatin1Char(' ') + words.arg(QStringLiteral("<a href=\"setting:%1\">%1</a>").arg(escaped(id)));
@@ -196,11 +199,11 @@ void Manual::add_settings() {
   for (const Setting_spec& spec : subject_.registry.settings()) {
     const Module_spec* own = subject_.registry.module_of(spec.id);
     if (own && own != module)
-      body += QStringLiteral("<h2>%1</h2>\n<p>%2</p>\n").arg(escaped(own->label), escaped(own->help));
+      body += QStringLiteral("<h2>%1</h2>\n<p>%2</p>\n").arg(escaped(own->label), help_of(own->help));
     module = own;
     const QString id = QString::fromStdString(spec.id);
     body += entry(QStringLiteral("setting"), id, QString::fromStdString(spec.label),
-                  QStringLiteral("%1 <i>(%2)</i>").arg(escaped(spec.help), range_text(spec)));
+                  QStringLiteral("%1 <i>(%2)</i>").arg(help_of(spec.help), range_text(spec)));
     anchors_[QStringLiteral("setting:") + id] = QStringLiteral("settings");
   }
   add_page(QStringLiteral("settings"), tr("Settings"), body);
@@ -216,7 +219,7 @@ void Manual::add_evolutions() {
     const Evolution_needs* needs = needs_of(spec);
     body +=
         entry(QStringLiteral("evolution"), id, QString::fromStdString(spec.label),
-              (needs ? tr("Needs %1.").arg(escaped(needs->what)) + QLatin1Char(' ') : QString()) + escaped(spec.help) +
+              (needs ? tr("Needs %1.").arg(escaped(needs->what)) + QLatin1Char(' ') : QString()) + help_of(spec.help) +
                   (settings.isEmpty() ? QString() : tr(" Settings: %1.").arg(settings.join(QStringLiteral(", ")))));
     anchors_[QStringLiteral("evolution:") + id] = QStringLiteral("evolutions-list");
   }

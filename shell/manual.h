@@ -81,6 +81,8 @@ class Manual {
 
  private:
   void add_chapters();
+  /// As windows say it, for HTML.
+  QString help_of(const std::string& help) const;
   void add_layers();
   void add_settings();
   void add_evolutions();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/formats/number.h"
+#include "core/help_text.h"
 #include "layers/layer_visibility.h"
 #include "shell/fuzzy.h"
 #include "shell/setting_values.h"
@@ -48,6 +49,12 @@ class Actions_source : public Palette_source {
   const Actions& actions_;
 };
 
+/// As windows say it.
+template <class Spec>
+QString help_text_of(const Spec& spec, const Registry& registry) {
+  return text_of(with_labels(spec.help, registry));
+}
+
 class Layers_source : public Palette_source {
  public:
   Layers_source(const Registry& registry, Document& document) : registry_(registry), document_(document) {}
@@ -56,13 +63,14 @@ class Layers_source : public Palette_source {
     std::vector<Palette_item> items;
     for (const Layer_spec& spec : registry_.layers()) {
       const QString label = text_of(spec.label);
-      const int score =
-          fuzzy_score(query, label, text_of(spec.id), text_of(spec.stage) + QLatin1Char(' ') + text_of(spec.help));
+      const int score = fuzzy_score(query, label, text_of(spec.id),
+                                    text_of(spec.stage) + QLatin1Char(' ') + help_text_of(spec, registry_));
       const Layer_entry* entry = find_entry(document_.layers(), spec.id);
       if (score == 0 || !entry) continue;
       const bool is_visible = entry->style.visible;
       Palette_item item{QStringLiteral("layer/") + text_of(spec.id),
-                        (is_visible ? tr("Hide %1") : tr("Show %1")).arg(label), tr("Layer"), text_of(spec.help)};
+                        (is_visible ? tr("Hide %1") : tr("Show %1")).arg(label), tr("Layer"),
+                        help_text_of(spec, registry_)};
       item.is_on = is_visible;
       item.score = score;
       item.run = [&document = document_, id = spec.id, is_visible, title = item.title] {
@@ -91,7 +99,7 @@ class Settings_source : public Palette_source {
       if (end_of_name > 0) add_assignment(spec, query.left(end_of_name), query.mid(end_of_name + 1).trimmed(), items);
       if (const int score = score_of(query, spec)) {
         Palette_item item{QStringLiteral("setting/") + text_of(spec.id), text_of(spec.label), tr("Setting"),
-                          text_of(spec.help)};
+                          help_text_of(spec, registry_)};
         item.title +=
             QStringLiteral(": ") + text_of(to_text(registry_.value(document_.settings(), spec.id))) + unit(spec);
         item.score = score;
@@ -107,8 +115,8 @@ class Settings_source : public Palette_source {
     return spec.unit.empty() ? QString() : QLatin1Char(' ') + text_of(spec.unit);
   }
 
-  static int score_of(const QString& query, const Setting_spec& spec) {
-    return fuzzy_score(query, text_of(spec.label), text_of(spec.id), text_of(spec.help));
+  int score_of(const QString& query, const Setting_spec& spec) const {
+    return fuzzy_score(query, text_of(spec.label), text_of(spec.id), help_text_of(spec, registry_));
   }
 
   void add_assignment(const Setting_spec& spec, const QString& name, const QString& text,
@@ -119,7 +127,7 @@ class Settings_source : public Palette_source {
     constexpr int preference = 4;
     Palette_item item{QStringLiteral("setting/") + text_of(spec.id),
                       tr("Set %1 to %2").arg(text_of(spec.label), text) + unit(spec), tr("Setting"),
-                      text_of(spec.help)};
+                      help_text_of(spec, registry_)};
     item.score = preference * score;
     try {
       const Setting_value value = parse_setting(spec, text.toStdString());

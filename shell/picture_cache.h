@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/inputs.h"
+#include "core/place.h"
 #include "core/primitives.h"
 #include "core/settings.h"
 
@@ -23,6 +24,7 @@ struct Layer_picture {
   std::shared_ptr<const Primitive_set> primitives;  ///< null when there is nothing
   QString reason;
   QStringList warnings;
+  std::vector<std::vector<Place>> places;  ///< of each warning
   double seconds = 0;
 };
 

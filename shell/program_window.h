@@ -198,6 +198,8 @@ class Program_window : public QMainWindow {
   virtual void show_document(const Document_change& change);
   void show_notes();
   virtual void show_title() = 0;
+  /// Looks at these places, and selects the elements that are there.
+  virtual void show_places(const std::vector<Place>& places) = 0;
   /// What the user is asked about before changed data is lost.
   virtual QString unsaved_text() const = 0;
   /// The data was replaced by that of files, or joined by it.
@@ -258,6 +260,7 @@ class Program_window : public QMainWindow {
   void make_choice_actions();
   void show_evolution_state();
   void set_evolution_bar_visible(bool is_visible);
+  void restore_looks();
   void restore_evolution();
   void store_evolution() const;
   void find_evolution_settings();
@@ -302,7 +305,7 @@ class Program_window : public QMainWindow {
   Log_panel* log_ = nullptr;
   QDockWidget* statistics_dock_ = nullptr;
   QDockWidget* log_dock_ = nullptr;
-  std::map<std::string, QString> logged_;  ///< by layer, what the log said of it last
+  std::map<std::string, QStringList> logged_;  ///< by layer, what the log said of it last
   Recovery_bar* recovery_bar_ = nullptr;
   std::optional<Scene_store> store_;
   std::unique_ptr<Autosave> autosave_;

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/help_text.h"
 #include "shell/evolution_bar.h"
 #include "shell/preferences.h"
 #include "shell/program_window.h"
@@ -116,13 +117,17 @@ void Program_window::make_repeat_actions() {
 void Program_window::make_choice_actions() {
   auto* group = new QActionGroup(this);
   for (const Evolution_spec& spec : registry_->evolutions()) {
-    group->addAction(actions_->add(
-        tr("Evolution"),
-        {action_of(spec.id), QString::fromStdString(spec.label), QString::fromStdString(spec.help), {}, {}, true},
-        [this, id = spec.id] {
-          set_evolution_bar_visible(true);
-          evolution_.choose(id);
-        }));
+    group->addAction(actions_->add(tr("Evolution"),
+                                   {action_of(spec.id),
+                                    QString::fromStdString(spec.label),
+                                    QString::fromStdString(with_labels(spec.help, *registry_)),
+                                    {},
+                                    {},
+                                    true},
+                                   [this, id = spec.id] {
+                                     set_evolution_bar_visible(true);
+                                     evolution_.choose(id);
+                                   }));
   }
   add_evolution_action(QStringLiteral("evolution-next"), tr("&Next evolution"), tr("Choose the next one of the list"),
                        {QKeySequence(Qt::CTRL | Qt::Key_Down)}, {}, [this] { evolution_.choose_next(1); });

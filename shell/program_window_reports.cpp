@@ -42,6 +42,7 @@ void Program_window::build_reports() {
             write_file(path.toStdString(), [&](std::ostream& stream) { stream << log_->text().toStdString(); });
           });
   });
+  connect(log_, &Log_panel::places_chosen, this, &Program_window::show_places);
   connect(log_, &Log_panel::layer_chosen, this, [this](const QString& layer) {
     layers_dock_->show();
     layer_panel_->select({layer});
@@ -120,12 +121,21 @@ void Program_window::log_layer(const std::string& layer) {
   const bool is_done = status.state == Layer_status::State::current || status.state == Layer_status::State::failed;
   // That there is no input of the kind a layer is about is no failure.
   if (!is_done || (!status.reason.isEmpty() && !is_worth_a_note(status.reason))) return;
-  const QString text = status.reason.isEmpty() ? status.warnings.join(QStringLiteral("; ")) : status.reason;
-  if (std::exchange(logged_[layer], text) == text || text.isEmpty()) return;
+  const QStringList texts = status.reason.isEmpty() ? status.warnings : QStringList(status.reason);
+  if (std::exchange(logged_[layer], texts) == texts || texts.isEmpty()) return;
+  // Layers that rest on one structure warn of the same.
+  const auto is_said_of_others = [&](const QString& text) {
+    return std::ranges::any_of(logged_,
+                               [&](const auto& said) { return said.first != layer && said.second.contains(text); });
+  };
   const Layer_spec* spec = registry_->find_layer(layer);
-  log_->add({status.reason.isEmpty() ? Message_bar::Kind::warning : Message_bar::Kind::error,
-             spec ? QString::fromStdString(spec->label) : QString::fromStdString(layer), text,
-             QString::fromStdString(layer)});
+  const QString source = QString::fromStdString(spec ? spec->label : layer);
+  const QString id = QString::fromStdString(layer);
+  if (!status.reason.isEmpty()) log_->add({Message_bar::Kind::error, source, status.reason, id});
+  for (qsizetype i = 0; status.reason.isEmpty() && i < status.warnings.size(); ++i)
+    if (!is_said_of_others(status.warnings[i]))
+      log_->add(
+          {Message_bar::Kind::warning, source, status.warnings[i], id, status.places.at(static_cast<std::size_t>(i))});
 }
 
 }  // namespace mesecina

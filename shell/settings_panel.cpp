@@ -16,6 +16,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/help_text.h"
 #include "layers/number_field.h"
 
 namespace mesecina {
@@ -75,6 +76,13 @@ class Calm_slider : public QSlider {
 
 }  // namespace
 
+QString Settings_panel::tip_of(const Setting_spec& spec) const {
+  // Rich text is broken into lines, plain text is not.
+  const auto paragraph = [](const QString& text) { return QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()); };
+  const QString help = paragraph(text_of(with_labels(spec.help, *registry_)));
+  return spec.unit.empty() ? help : help + paragraph(tr("Unit: %1").arg(text_of(spec.unit)));
+}
+
 Settings_panel::Settings_panel(std::shared_ptr<const Registry> registry, QWidget* parent)
     : QScrollArea(parent), registry_(std::move(registry)) {
   setWidgetResizable(true);
@@ -92,7 +100,7 @@ Settings_panel::Settings_panel(std::shared_ptr<const Registry> registry, QWidget
     if (module != group && module) {
       heading = new QLabel(text_of(module->label), content);
       if (group) heading->setContentsMargins(0, em / 2, 0, 0);
-      heading->setToolTip(text_of(module->help));
+      heading->setToolTip(text_of(with_labels(module->help, *registry_)));
       QFont bold = heading->font();
       bold.setBold(true);
       heading->setFont(bold);
@@ -168,7 +176,7 @@ QWidget* Settings_panel::make_animate_button(const Setting_spec& spec, const Row
 
 QWidget* Settings_panel::make_switch(const Setting_spec& spec, Row& row) {
   auto* box = new QCheckBox(text_of(spec.label), this);
-  box->setToolTip(text_of(spec.help));
+  box->setToolTip(tip_of(spec));
   box->setAccessibleName(text_of(spec.label));
   connect(box, &QCheckBox::toggled, this, [this, &spec](bool is_on) { change(spec, is_on, {}); });
   row.show = [box](const Setting_value& value) {
@@ -183,12 +191,12 @@ QWidget* Settings_panel::make_text(const Setting_spec& spec, Row& row) {
   auto* layout = new QHBoxLayout(holder);
   layout->setContentsMargins(0, 0, 0, 0);
   auto* label = new QLabel(text_of(spec.label), holder);
-  label->setToolTip(text_of(spec.help));
+  label->setToolTip(tip_of(spec));
   label->setWordWrap(true);
   layout->addWidget(label, 1);
   if (spec.choices.empty()) {
     auto* line = new QLineEdit(holder);
-    line->setToolTip(text_of(spec.help));
+    line->setToolTip(tip_of(spec));
     line->setAccessibleName(text_of(spec.label));
     connect(line, &QLineEdit::editingFinished, this,
             [this, &spec, line] { change(spec, line->text().toStdString(), {}); });
@@ -198,7 +206,7 @@ QWidget* Settings_panel::make_text(const Setting_spec& spec, Row& row) {
   }
   auto* combo = new QComboBox(holder);
   for (const std::string& choice : spec.choices) combo->addItem(text_of(choice));
-  combo->setToolTip(text_of(spec.help));
+  combo->setToolTip(tip_of(spec));
   combo->setAccessibleName(text_of(spec.label));
   combo->setFocusPolicy(Qt::StrongFocus);
   connect(combo, &QComboBox::textActivated, this,
@@ -239,8 +247,7 @@ QWidget* Settings_panel::make_number(const Setting_spec& spec, Row& row) {
   slider->setRange(0, Slider_scale::steps);
   slider->setPageStep(Slider_scale::steps / 20);
   slider->setAccessibleName(tr("Slider of %1").arg(text_of(spec.label)));
-  const QString help =
-      spec.unit.empty() ? text_of(spec.help) : tr("%1\nUnit: %2").arg(text_of(spec.help), text_of(spec.unit));
+  const QString help = tip_of(spec);
   for (QWidget* part : {static_cast<QWidget*>(label), static_cast<QWidget*>(unit), static_cast<QWidget*>(field),
                         static_cast<QWidget*>(slider)})
     part->setToolTip(help);

@@ -42,6 +42,7 @@ class Settings_panel : public QScrollArea {
   void animate_requested(const QString& setting, double from, double to);
 
  private:
+  QString tip_of(const Setting_spec& spec) const;
   struct Row {
     std::function<void(const Setting_value&)> show;
     std::function<void(double)> set_slider_maximum;

@@ -8,6 +8,7 @@
 #include "core/batch/scene.h"
 #include "core/camera_path_3.h"
 #include "core/film_ranges.h"
+#include "core/help_text.h"
 #include "core/turntable_3.h"
 
 namespace mesecina {
@@ -45,9 +46,9 @@ Scene Film_maker::scene(Graph& graph, int frame, Progress& progress, std::vector
     const auto warn = [&](const std::string& text) {
       if (std::ranges::find(warnings, text) == warnings.end()) warnings.push_back(text);
     };
-    for (const std::string& warning : graph.warnings(id)) warn(warning);
+    for (const Remark& remark : graph.remarks(id)) warn(with_ids(remark.text));
     // The same reason in many frames is told once.
-    const std::string start = "layer " + id + ": " + outcome.reason + " (frame ";
+    const std::string start = "layer " + id + ": " + with_ids(outcome.reason) + " (frame ";
     const auto is_known = [&](const std::string& warning) { return warning.starts_with(start); };
     if (!outcome.value && !command_line_.layers.empty() && std::ranges::none_of(warnings, is_known))
       warn(start + std::to_string(frame + 1) + ")");

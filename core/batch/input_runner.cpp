@@ -11,6 +11,7 @@
 #include "core/bundle.h"
 #include "core/evolution.h"
 #include "core/formats/scene_json.h"
+#include "core/help_text.h"
 
 namespace mesecina {
 
@@ -120,28 +121,33 @@ void Input_runner::write_layers(const fs::path& file, Graph& graph, Progress& pr
   for (const std::string& id : layers_) {
     const Outcome<Primitive_set> outcome = graph.layer(id, progress);
     if (outcome.reason == out_of_memory_reason) throw std::bad_alloc();
+    const std::string reason = with_ids(outcome.reason);
     std::shared_ptr<const Primitive_set> primitives = outcome.value;
     const auto cut = registry_->cut(*registry_->find_layer(id), graph.settings());
     if (primitives && cut) primitives = std::make_shared<const Primitive_set>(apply_cut(*primitives, *cut));
-    for (const std::string& warning : graph.warnings(id))
+    for (const Remark& remark : graph.remarks(id)) {
+      const std::string warning = with_ids(remark.text);
       if (std::ranges::find(statistics.warnings, warning) == statistics.warnings.end())
         statistics.warnings.push_back(warning);
+    }
     // A bundle names what may be drawn over: the inputs of all kinds.
     const bool is_asked_for = !command_line_.bundle || registry_->find_layer(id)->stage != "Input";
     if (!primitives && !command_line_.layers.empty() && is_asked_for)
-      statistics.warnings.push_back("layer " + id + ": " + outcome.reason);
+      statistics.warnings.push_back("layer " + id + ": " + reason);
     if (primitives && wants_pictures) warn_of_missing_value(id, *primitives, statistics);
     const auto start = Clock::now();
     for (const std::string& name : command_line_.formats) {
       const Layer_writer* writer = formats_.find_layer_writer(name);
       if (!writer) continue;
-      const Layer_document document{
-          id, file.filename().string(), settings, primitives.get(), outcome.reason, registry_->dimension()};
+      if (const std::string text = empty_file_text(*writer, primitives.get()); !text.empty())
+        statistics.warnings.push_back("layer " + id + ": " + text);
+      const Layer_document document{id,     file.filename().string(), settings, primitives.get(),
+                                    reason, registry_->dimension()};
       write_file(folder_.unfinished(file, layer_suffix(id, writer->extension)),
                  [&](std::ostream& stream) { writer->write(stream, document); });
     }
     write_seconds += seconds_since(start);
-    if (command_line_.stats) statistics.layers.emplace_back(id, layer_statistics(primitives.get(), outcome.reason));
+    if (command_line_.stats) statistics.layers.emplace_back(id, layer_statistics(primitives.get(), reason));
     if (wants_pictures) kept[id] = std::move(primitives);
   }
   const auto start = Clock::now();
@@ -194,6 +200,7 @@ Evolution_state Input_runner::evolved(Evolution_state state, Progress& progress,
       visit({graph.inputs(), graph.settings()});
     });
     if (result.end_reason == out_of_memory_reason) throw std::bad_alloc();
+    result.end_reason = with_ids(result.end_reason);
     if (result.steps_done < steps)
       statistics.warnings.push_back("evolution " + id + ": " + std::to_string(result.steps_done) + " of " +
                                     std::to_string(steps) + " steps: " + result.end_reason);

@@ -6,6 +6,7 @@
 #include "core/bundle.h"
 #include "core/evolution_needs.h"
 #include "core/formats/number.h"
+#include "core/help_text.h"
 
 namespace mesecina {
 
@@ -25,7 +26,7 @@ const char* type_name(const Setting_value& value) {
 Json list_layers(const Registry& registry) {
   Json list = Json::array();
   for (const Layer_spec& layer : registry.layers()) {
-    Json entry{{"id", layer.id}, {"label", layer.label}, {"stage", layer.stage}, {"help", layer.help}};
+    Json entry{{"id", layer.id}, {"label", layer.label}, {"stage", layer.stage}, {"help", with_ids(layer.help)}};
     if (!layer.cut_setting.empty()) entry["limit"] = layer.cut_setting;
     list.push_back(std::move(entry));
   }
@@ -43,7 +44,7 @@ Json list_settings(const Registry& registry) {
     if (std::isfinite(setting.minimum)) entry["minimum"] = setting.minimum;
     if (std::isfinite(setting.maximum)) entry["maximum"] = setting.maximum;
     if (!setting.choices.empty()) entry["choices"] = setting.choices;
-    entry["help"] = setting.help;
+    entry["help"] = with_ids(setting.help);
     list.push_back(std::move(entry));
   }
   return list;
@@ -57,7 +58,7 @@ Json list_evolutions(const Registry& registry) {
                     {"label", evolution.label},
                     {"needs", needs ? needs->what : std::string()},
                     {"settings", evolution.settings},
-                    {"help", evolution.help}});
+                    {"help", with_ids(evolution.help)}});
   }
   return list;
 }
@@ -132,18 +133,18 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
     std::string stage;
     for (const Layer_spec& layer : registry.layers()) {
       if (layer.stage != stage) text += (text.empty() ? "" : "\n") + (stage = layer.stage) + "\n";
-      text += "  " + padded(layer.id, 28) + layer.help + "\n";
+      text += "  " + padded(layer.id, 28) + with_ids(layer.help) + "\n";
     }
   } else if (what == "settings") {
     for (const Setting_spec& setting : registry.settings())
-      text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + setting.help + "\n";
+      text += padded(setting.id, 22) + range_text(setting) + "\n" + padded("", 22) + with_ids(setting.help) + "\n";
   } else if (what == "bundles") {
     text = bundles_text(read_bundle_library(user_bundles, registry));
   } else if (what == "evolutions") {
     for (const Evolution_spec& evolution : registry.evolutions()) {
       const Evolution_needs* needs = needs_of(evolution);
-      text +=
-          padded(evolution.id, 22) + (needs ? "Needs " + needs->what + ". " : std::string()) + evolution.help + "\n";
+      text += padded(evolution.id, 22) + (needs ? "Needs " + needs->what + ". " : std::string()) +
+              with_ids(evolution.help) + "\n";
     }
   } else {
     for (const Reader& reader : formats.readers) {

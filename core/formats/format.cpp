@@ -127,6 +127,26 @@ File_contents read_file(const Formats& formats, const std::filesystem::path& fil
   return reader->read(file);
 }
 
+std::string empty_file_text(const Layer_writer& writer, const Primitive_set* primitives) {
+  if (!primitives || !writer.holds_any || primitives->element_count() == 0 || writer.holds_any(*primitives)) return {};
+  struct Kind {
+    std::size_t count;
+    const char* name;
+  };
+  const Kind kinds[] = {{primitives->points.size(), "point"},       {primitives->segments.size(), "segment"},
+                        {primitives->rays.size(), "ray"},           {primitives->arcs.size(), "arc"},
+                        {primitives->triangles.size(), "triangle"}, {primitives->polygon_count(), "polygon"},
+                        {primitives->balls.size(), "ball"}};
+  std::vector<std::string> there;
+  for (const auto& [count, name] : kinds)
+    if (count > 0) there.push_back(std::to_string(count) + " " + name + (count == 1 ? "" : "s"));
+  std::string text =
+      writer.name + " holds " + writer.holds + ", and there " + (there.front().starts_with("1 ") ? "is" : "are");
+  for (std::size_t i = 0; i < there.size(); ++i)
+    text += (i == 0 ? " " : i + 1 == there.size() ? " and " : ", ") + there[i];
+  return text + ": the file is empty";
+}
+
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
   const std::filesystem::path temporary = create_temporary(file);
   std::error_code error;

@@ -58,7 +58,14 @@ struct Layer_writer {
   std::string extension;  ///< no dot
   std::string help;
   std::function<void(std::ostream&, const Layer_document&)> write;
+  /// Of formats that hold some kinds of elements only: what these are ("triangles"), and whether a layer has any.
+  std::string holds = {};
+  std::function<bool(const Primitive_set&)> holds_any = {};
 };
+
+/// What to tell where a layer that has elements gives an empty file in this format: "stl holds triangles, and there are
+/// 12 points and 3 segments: the file is empty"; else empty.
+std::string empty_file_text(const Layer_writer& writer, const Primitive_set* primitives);
 
 /// Writes a picture of all layers. Width and height in pixels. Throws File_error.
 struct Picture_writer {

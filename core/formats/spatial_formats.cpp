@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format.h"
+#include "core/formats/layer_balls.h"
 #include "core/formats/spatial_readers.h"
 #include "core/formats/writers.h"
 
 namespace mesecina {
+
+namespace {
+
+bool has_faces(const Primitive_set& set) { return !set.triangles.empty() || set.polygon_count() > 0; }
+bool has_balls(const Primitive_set& set) { return !layer_balls(set).empty(); }
+
+}  // namespace
 
 Formats spatial_formats() {
   Formats formats;
@@ -35,13 +43,14 @@ Formats spatial_formats() {
       {"obj", "obj",
        "Wavefront: triangles and polygons, lines and points beside them; balls as their centers, no rays, no values",
        write_obj_layer},
-      {"stl", "stl", "binary, single precision: triangles, and polygons as triangles; nothing else", write_stl_layer},
+      {"stl", "stl", "binary, single precision: triangles, and polygons as triangles; nothing else", write_stl_layer,
+       "triangles", has_faces},
       {"ma", "ma",
        "medial mesh of Q-MAT, MATFP and Blender's MAT add-on: vertices with radius, edges, triangles; only for layers "
        "with radii",
-       write_ma_layer},
-      {"woff", "woff", "the balls of a layer, x y z radius", write_woff_layer},
-      {"moff", "moff", "the balls of a layer as a medial axis without faces", write_moff_layer},
+       write_ma_layer, "balls", has_balls},
+      {"woff", "woff", "the balls of a layer, x y z radius", write_woff_layer, "balls", has_balls},
+      {"moff", "moff", "the balls of a layer as a medial axis without faces", write_moff_layer, "balls", has_balls},
   };
   formats.input_writers = {
       {"woff", "woff", std::string(balls_input.id), write_woff_balls},

@@ -41,7 +41,8 @@ Balls_2 compute_balls(Context& context) {
   const auto disks = context.input(disks_input);
   const bool has_disks = disks && !disks->empty();
   if (source == ball_source_drawn || (source == ball_source_automatic && has_disks)) {
-    if (!has_disks) throw Unavailable("there are no disks: draw, generate or open some, or choose another ball-source");
+    if (!has_disks)
+      throw Unavailable("there are no disks: draw, generate or open some, or choose another {ball-source}");
     return given_balls(*disks);
   }
   const bool has_samples = context.input(points_input) != nullptr || context.input(outline_input) != nullptr;
@@ -49,7 +50,7 @@ Balls_2 compute_balls(Context& context) {
     throw Unavailable(
         source == ball_source_automatic
             ? "there are no disks, and no points or outline to take them from: draw, generate or open some"
-            : "there are no points or outline to take disks from: choose another ball-source, or draw some");
+            : "there are no points or outline to take disks from: choose another {ball-source}, or draw some");
   if (source == ball_source_inner_poles) {
     const auto triangulation = context.get(delaunay_2_key);
     const auto chosen = context.get(polar_balls_2_key)->inner_triangles(triangulation->triangles.size());
@@ -103,7 +104,7 @@ void register_balls_2(Registry& registry) {
     layer.id = "balls";
     layer.label = "Balls";
     layer.stage = "Power diagram";
-    layer.help = "The disks whose union is looked at, as ball-source says.";
+    layer.help = "The disks whose union is looked at, as {ball-source} says.";
     layer.style = look({60, 110, 170}, 1);
     layer.style.opacity = 0.7;
     layer.build = [](Context& context) { return ball_layer(context, true); };

@@ -21,10 +21,11 @@ std::string why_no_disks(const Evolution_state& state) {
     return source && *source == Setting_value(std::string(name));
   };
   if (is_source(ball_source_drawn))
-    return has_disks ? "" : "there are no disks: draw, generate or open some, or choose another ball-source";
+    return has_disks ? "" : "there are no disks: draw, generate or open some, or choose another {ball-source}";
   if (is_source(ball_source_inner_voronoi) || is_source(ball_source_inner_poles))
-    return has_samples ? ""
-                       : "there are no points or outline to take disks from: choose another ball-source, or draw some";
+    return has_samples
+               ? ""
+               : "there are no points or outline to take disks from: choose another {ball-source}, or draw some";
   return has_disks || has_samples
              ? ""
              : "there are no disks, and no points or outline to take them from: draw, generate or open some";

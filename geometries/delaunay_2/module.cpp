@@ -177,9 +177,13 @@ std::size_t duplicates(const Delaunay_2& triangulation) {
 }
 
 void warn_of_duplicates(Context& context, const Delaunay_2& triangulation) {
+  std::vector<int> merged;
+  for (std::size_t i = 0; i < triangulation.site.size(); ++i)
+    if (triangulation.site[i] != static_cast<int>(i)) merged.push_back(static_cast<int>(i));
   if (duplicates(triangulation) > 0)
     context.warn(std::to_string(duplicates(triangulation)) + " of " + std::to_string(triangulation.points.size()) +
-                 " samples equal another one and are merged with it");
+                     " samples equal another one and are merged with it",
+                 sample_places(context, merged));
   if (triangulation.dimension == 1) context.warn("all samples lie on one line");
 }
 

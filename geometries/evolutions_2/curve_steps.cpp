@@ -159,8 +159,8 @@ Evolution_spec smoothing_2() {
   evolution.label = "Laplacian smoothing";
   evolution.help =
       "Each step moves every point with exactly two neighbours on the one-step crust, and every vertex of the outline, "
-      "toward the middle of its two neighbours, as smoothing-factor says. Other points stay. With "
-      "smoothing-keeps-size the curve does not shrink. [G. Taubin: A signal processing approach to fair surface "
+      "toward the middle of its two neighbours, as {smoothing-factor} says. Other points stay. With "
+      "{smoothing-keeps-size} the curve does not shrink. [G. Taubin: A signal processing approach to fair surface "
       "design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
   evolution.step = needing({needed_curve, why_no_curve}, smooth);
@@ -187,9 +187,9 @@ Evolution_spec noise_2() {
   evolution.label = "Noise";
   evolution.help =
       "Each step moves every point with exactly two neighbours on the one-step crust, and every vertex of the outline, "
-      "at right angles to the line through its neighbours, evenly at random by up to noise-amplitude times their "
-      "distance to either side; the center of a disk by up to noise-amplitude times its radius in x and in y. Other "
-      "points stay. The same evolution-seed gives the same noise.";
+      "at right angles to the line through its neighbours, evenly at random by up to {noise-amplitude} times their "
+      "distance to either side; the center of a disk by up to {noise-amplitude} times its radius in x and in y. Other "
+      "points stay. The same {evolution-seed} gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
   evolution.step = needing({"points along a curve, an outline, or disks", why_no_curve_or_disks}, add_noise);
   return evolution;

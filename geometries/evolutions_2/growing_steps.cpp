@@ -50,7 +50,8 @@ Evolution_state grow_medial_disks(Context& context, const Evolution_state& befor
 }
 
 constexpr const char* which_disks =
-    " Of points and outlines, the disks that ball-source says, inner Voronoi disks at first, become given disks in the "
+    " Of points and outlines, the disks that {ball-source} says, inner Voronoi disks at first, become given disks in "
+    "the "
     "first step.";
 
 }  // namespace
@@ -60,7 +61,7 @@ Evolution_spec growing_2() {
   evolution.id = "grow-balls";
   evolution.label = "Growing disks";
   evolution.help =
-      std::string("Each step makes all disks larger by growing-step percent of the radius that they had at first.") +
+      std::string("Each step makes all disks larger by {growing-step} percent of the radius that they had at first.") +
       which_disks + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
   evolution.step = needing(needed_disks_2(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
@@ -74,7 +75,7 @@ Evolution_spec shrinking_2() {
   evolution.id = "shrink-balls";
   evolution.label = "Shrinking disks";
   evolution.help = std::string(
-                       "Each step makes all disks smaller by growing-step percent of the radius that they had at "
+                       "Each step makes all disks smaller by {growing-step} percent of the radius that they had at "
                        "first; ends before nothing is left.") +
                    which_disks;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
@@ -90,8 +91,10 @@ Evolution_spec stepped_growing_2() {
   evolution.label = "Stepped growing";
   evolution.help =
       "Each step takes the medial disks of the union, without branches that end with a contact angle of less than "
-      "scale-axis-min-angle, and grows them by growing-step percent: always the present medial disks grow, not those "
-      "at the beginning, so fewer new branches come than with grow-balls. [B. Miklos: The Scale Axis Transform, 2010, "
+      "{scale-axis-min-angle}, and grows them by {growing-step} percent: always the present medial disks grow, not "
+      "those "
+      "at the beginning, so fewer new branches come than with {grow-balls}. [B. Miklos: The Scale Axis Transform, "
+      "2010, "
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(scale_axis_min_angle_setting.id)};
   evolution.step = needing(needed_disks_2(), grow_medial_disks);

@@ -44,9 +44,9 @@ std::string why_nothing_grows(const Evolution_state& state) {
   const auto cloud = state.inputs.get(cloud_input);
   const bool has_samples = has_triangles(state.inputs.get(mesh_input)) || (cloud && !cloud->empty());
   if (source && *source == Setting_value(std::string(ball_source_3_given)) && !has_given)
-    return "there are no given balls: add or open some, or choose another ball-source";
+    return "there are no given balls: add or open some, or choose another {ball-source}";
   if (source && *source == Setting_value(std::string(ball_source_3_computed)) && !has_samples)
-    return "there is no mesh and there are no points to compute balls of: open some, or choose another ball-source";
+    return "there is no mesh and there are no points to compute balls of: open some, or choose another {ball-source}";
   return has_given || has_samples ? "" : "there is nothing to grow: open or generate balls, a mesh or points";
 }
 
@@ -158,7 +158,7 @@ Evolution_state grow_medial_balls(Context& context, const Evolution_state& befor
 }
 
 constexpr const char* which_balls =
-    " Of a mesh, or of points, the balls that stand for it become given balls in the first step, and ball-source "
+    " Of a mesh, or of points, the balls that stand for it become given balls in the first step, and {ball-source} "
     "becomes given.";
 
 Evolution_spec smoothing() {
@@ -166,8 +166,9 @@ Evolution_spec smoothing() {
   evolution.id = "laplacian-smoothing";
   evolution.label = "Laplacian smoothing";
   evolution.help =
-      "Each step moves every vertex of the mesh toward the mean of its neighbours, as smoothing-factor says; where the "
-      "mesh ends, toward the mean of those along its end. With smoothing-keeps-size the mesh does not shrink. [G. "
+      "Each step moves every vertex of the mesh toward the mean of its neighbours, as {smoothing-factor} says; where "
+      "the "
+      "mesh ends, toward the mean of those along its end. With {smoothing-keeps-size} the mesh does not shrink. [G. "
       "Taubin: A signal processing approach to fair surface design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
   evolution.step = needing({"a mesh", why_no_mesh}, smooth);
@@ -179,10 +180,11 @@ Evolution_spec noise() {
   evolution.id = "noise";
   evolution.label = "Noise";
   evolution.help =
-      "Each step moves, evenly at random, every vertex of the mesh along its normal by up to noise-amplitude times the "
-      "mean length of its edges to either side; points in x, y and z by up to noise-amplitude times the distance to "
-      "the nearest other one; centers of given balls by up to noise-amplitude times the radius. The same "
-      "evolution-seed gives the same noise.";
+      "Each step moves, evenly at random, every vertex of the mesh along its normal by up to {noise-amplitude} times "
+      "the "
+      "mean length of its edges to either side; points in x, y and z by up to {noise-amplitude} times the distance to "
+      "the nearest other one; centers of given balls by up to {noise-amplitude} times the radius. The same "
+      "{evolution-seed} gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
   evolution.step = needing({"a mesh, points, or balls", why_nothing_moves}, add_noise);
   return evolution;
@@ -193,7 +195,7 @@ Evolution_spec growing() {
   evolution.id = "grow-balls";
   evolution.label = "Growing balls";
   evolution.help =
-      std::string("Each step makes all balls larger by growing-step percent of the radius that they had at first.") +
+      std::string("Each step makes all balls larger by {growing-step} percent of the radius that they had at first.") +
       which_balls + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
   evolution.step = needing(needed_balls(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
@@ -207,7 +209,7 @@ Evolution_spec shrinking() {
   evolution.id = "shrink-balls";
   evolution.label = "Shrinking balls";
   evolution.help = std::string(
-                       "Each step makes all balls smaller by growing-step percent of the radius that they had at "
+                       "Each step makes all balls smaller by {growing-step} percent of the radius that they had at "
                        "first; ends before nothing is left.") +
                    which_balls;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
@@ -223,8 +225,10 @@ Evolution_spec stepped_growing() {
   evolution.label = "Stepped growing";
   evolution.help =
       "Each step takes the medial balls of the union, without sheets whose largest contact angle is less than "
-      "scale-axis-min-angle, and grows them by growing-step percent: always the present medial balls grow, not those "
-      "at the beginning, so fewer new sheets come than with grow-balls. Centers are moved as perturbation says. [B. "
+      "{scale-axis-min-angle}, and grows them by {growing-step} percent: always the present medial balls grow, not "
+      "those "
+      "at the beginning, so fewer new sheets come than with {grow-balls}. Centers are moved as {perturbation} says. "
+      "[B. "
       "Miklos: The Scale Axis Transform, 2010, "
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(min_angle_setting.id),

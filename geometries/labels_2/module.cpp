@@ -22,11 +22,18 @@ Labels_2 compute_labels(Context& context) {
       outline ? outline_labels(*triangulation, *context.get(voronoi_2_key), *crust, *outline, context.progress())
               : flood_labels(*triangulation, *crust, context.progress());
   if (!labels.conflicts.empty()) {
-    const std::string where = " (layer label-conflicts shows where)";
+    std::vector<Place> places;
+    for (const auto& [first, second] : labels.conflicts) {
+      if (places.size() == most_places) break;
+      const Point_2 middle = midpoint(triangulation->points[first], triangulation->points[second]);
+      places.push_back({{middle.x, middle.y, 0}});
+    }
+    const std::string where = " (layer {label-conflicts} shows where)";
     context.warn(outline ? "the outline is sampled too sparsely at " + std::to_string(labels.conflicts.size()) +
-                               " places: a smaller sampling-step follows it better" + where
+                               " places: a smaller {sampling-step} follows it better" + where
                          : "inside and outside contradict each other at " + std::to_string(labels.conflicts.size()) +
-                               " edges: the curve is open, noisy or too sparsely sampled there" + where);
+                               " edges: the curve is open, noisy or too sparsely sampled there" + where,
+                 std::move(places));
   }
   return labels;
 }

@@ -20,7 +20,7 @@ using Disks = std::vector<Disk_2>;
 std::shared_ptr<const Disks> landmarks(Context& context) {
   auto result = context.input(landmark_disks_input);
   if (!result || result->empty())
-    throw Unavailable("there are no landmark disks: go steps of the evolution landmark-disks");
+    throw Unavailable("there are no landmark disks: go steps of the evolution {landmark-disks}");
   return result;
 }
 
@@ -132,7 +132,7 @@ void register_landmark_disks_2(Registry& registry) {
   {
     Layer_spec layer = make_landmark_layer(
         "landmark-disks", "Landmark disks",
-        "The disks that the evolution landmark-disks has chosen; their values are the order.", {190, 90, 20});
+        "The disks that the evolution {landmark-disks} has chosen; their values are the order.", {190, 90, 20});
     layer.build = [](Context& context) { return disk_layer(*landmarks(context)); };
     registry.add_layer(std::move(layer));
   }
@@ -153,7 +153,8 @@ void register_landmark_disks_2(Registry& registry) {
   evolution.help =
       "Each step makes that disk a landmark which the landmarks, all grown by one factor, hold last; the first step "
       "the "
-      "largest disk. The disks are those that ball-source says. Ends when every disk is in a landmark. [B. Miklos: The "
+      "largest disk. The disks are those that {ball-source} says. Ends when every disk is in a landmark. [B. Miklos: "
+      "The "
       "Scale Axis Transform, 2010, section A.5]";
   evolution.settings = {std::string(ball_source_setting.id)};
   evolution.step = needing(needed_disks_2(), add_farthest);

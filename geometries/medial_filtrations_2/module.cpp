@@ -185,8 +185,8 @@ void add_measure(Registry& registry, const Measure& measure) {
     layer.id = measure.name + "-medial-axis";
     layer.label = measure.label;
     layer.stage = "Filtration";
-    layer.help = "The parts of the medial axis whose " + measure.name + " reaches " + std::string(measure.limit) +
-                 "; with topology-preserving only ends are shortened. " + measure.definition;
+    layer.help = "The parts of the medial axis whose " + measure.name + " reaches {" + std::string(measure.limit) +
+                 "}" + "; with {topology-preserving} only ends are shortened. " + measure.definition;
     layer.style = look(measure.color, 2.5);
     layer.build = [measure](Context& context) { return filtered_axis_layer(context, measure); };
     layer.describe = describe_axis_element;

@@ -170,18 +170,18 @@ void register_medial_filtrations_3(Registry& registry) {
   registry.add_layer(std::move(contacts));
   add_filtration(
       registry, lambda, "lambda-medial-axis", "Lambda medial axis",
-      "The faces of the medial axis whose lambda reaches lambda-limit, and what bounds them. Lambda is half the "
+      "The faces of the medial axis whose lambda reaches {lambda-limit}, and what bounds them. Lambda is half the "
       "distance of the contact points; of edges without faces it is the radius of the circle of contact. [F. Chazal, "
       "A. Lieutier 2005]",
       lambda_limit_setting.id, {70, 120, 40});
   add_filtration(
       registry, angle, "angle-medial-axis", "Angle medial axis",
-      "The faces of the medial axis whose angle reaches angle-limit, and what bounds them. The angle is that "
+      "The faces of the medial axis whose angle reaches {angle-limit}, and what bounds them. The angle is that "
       "under which the contact points are seen, at its largest on a face. [M. Foskey, M. Lin, D. Manocha "
       "2003]",
       angle_limit_setting.id, {130, 80, 180});
   add_filtration(registry, scale, "scale-medial-axis", "Scale medial axis",
-                 "The faces of the medial axis whose scale reaches scale-limit, and what bounds them. The scale of a "
+                 "The faces of the medial axis whose scale reaches {scale-limit}, and what bounds them. The scale of a "
                  "medial ball is the factor at which a single larger one covers it when all grow: the least "
                  "d(c, c') / (r' - r); that of a face is the least of its vertices. [B. Miklos: The Scale Axis "
                  "Transform, 2010, section 6.2]",

@@ -8,6 +8,7 @@
 #include "core/graph.h"
 #include "geometries/delaunay_2/module.h"
 #include "geometries/primitives_2.h"
+#include "geometries/samples_2/module.h"
 
 namespace mesecina {
 
@@ -28,7 +29,8 @@ Polar_balls_2 compute_polar_balls(Context& context) {
                  " poles have nothing to tell on which side they are; they count as outer");
   if (!polar.contradictions.empty())
     context.warn("both poles are on one side at " + std::to_string(polar.contradictions.size()) +
-                 " samples: the curve is open, noisy, too sparsely sampled or sharp there");
+                     " samples: the curve is open, noisy, too sparsely sampled or sharp there",
+                 sample_places(context, polar.contradictions));
   return polar;
 }
 

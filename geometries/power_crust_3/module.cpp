@@ -17,9 +17,22 @@ constexpr const char* paper =
     " [N. Amenta, S. Choi, R. Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]";
 constexpr const char* nothing_inside = "no pole lies inside: the points enclose nothing (is the surface closed?)";
 
+/// Where these samples are; those that the user gave as points are elements of these.
+std::vector<Place> sample_places(Context& context, std::span<const Point_3> points, std::span<const int> samples) {
+  const bool is_cloud = !context.input(mesh_input);
+  std::vector<Place> places;
+  for (const int sample : samples) {
+    if (places.size() == most_places) break;
+    places.push_back({points[sample], is_cloud ? std::string(cloud_input.id) : std::string(),
+                      is_cloud ? static_cast<std::size_t>(sample) : 0});
+  }
+  return places;
+}
+
 Polar_balls_3 compute_polar_balls(Context& context) {
   Progress& progress = context.progress();
-  const auto poles = std::make_shared<const Poles_3>(find_poles(sample_points(context), progress));
+  const std::vector<Point_3> points = sample_points(context);
+  const auto poles = std::make_shared<const Poles_3>(find_poles(points, progress));
   const auto regular = std::make_shared<const Regular_3>(regular_triangulation(poles->balls, progress));
   Polar_balls_3 polar = label_poles(poles, regular, progress);
   warn_of_duplicates(context, static_cast<std::size_t>(std::ranges::count(poles->first, -1)), poles->sample_count);
@@ -28,7 +41,8 @@ Polar_balls_3 compute_polar_balls(Context& context) {
                  " poles have nothing to tell on which side they are; they count as outer");
   if (!polar.contradictions.empty())
     context.warn("both poles are on one side at " + std::to_string(polar.contradictions.size()) +
-                 " samples: the surface is open, noisy, too sparsely sampled or sharp there");
+                     " samples: the surface is open, noisy, too sparsely sampled or sharp there",
+                 sample_places(context, points, polar.contradictions));
   return polar;
 }
 

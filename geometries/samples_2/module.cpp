@@ -29,6 +29,20 @@ Element_description describe_sample(Context& context, std::size_t element) {
 
 }  // namespace
 
+std::vector<Place> sample_places(Context& context, std::span<const int> samples) {
+  const auto all = context.get(samples_2_key);
+  const auto points = context.input(points_input);
+  std::vector<Place> places;
+  for (const int sample : samples) {
+    if (places.size() == most_places) break;
+    const auto number = static_cast<std::size_t>(sample);
+    const Point_2& at = all->points[number];
+    const bool is_given = points && number < points->size();
+    places.push_back({{at.x, at.y, 0}, is_given ? std::string(points_input.id) : std::string(), is_given ? number : 0});
+  }
+  return places;
+}
+
 void register_samples_2(Registry& registry) {
   registry.begin_module({"samples-2", "Sampling", "Points that stand for the shape."});
   {
@@ -66,7 +80,7 @@ void register_samples_2(Registry& registry) {
   layer.stage = "Input";
   layer.help =
       "The points that every structure starts from: those drawn or read, then those along the outline, as far apart as "
-      "sampling-step says. Other layers number samples in this order.";
+      "{sampling-step} says. Other layers number samples in this order.";
   layer.style = look({90, 96, 104});
   layer.style.point_size = 3;
   layer.build = sample_layer;

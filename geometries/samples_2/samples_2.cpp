@@ -22,7 +22,7 @@ std::vector<Point_2> sample_outline(const Outline_2& outline, double step) {
     for (std::size_t i = 0; i < ring.size(); ++i) count += pieces(ring[i], ring[(i + 1) % ring.size()]);
   if (!(count <= most_points))
     throw Unavailable("sampling the outline would give " + std::to_string(count) +
-                      " points, more than 50 million: choose a larger sampling-step");
+                      " points, more than 50 million: choose a larger {sampling-step}");
 
   std::vector<Point_2> samples;
   samples.reserve(static_cast<std::size_t>(count));

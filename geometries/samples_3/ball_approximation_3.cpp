@@ -31,7 +31,7 @@ class Approximation {
       count += best_->balls.size();
     if (!best_)
       throw Unavailable("no Voronoi vertex of the " + std::to_string(even_count_) +
-                        " samples lies inside: the solid is thinner than delta; choose a smaller delta");
+                        " samples lies inside: the solid is thinner than {delta}; choose a smaller {delta}");
     return std::move(*best_);
   }
 
@@ -71,7 +71,7 @@ class Approximation {
       } catch (const Unavailable& reason) {
         if (halving == most_halvings || even_count_ > most_in_plane)
           throw Unavailable("the " + std::to_string(even_count_) + " samples of the surface make no tetrahedron (" +
-                            reason.what() + "): the solid is thinner than delta; choose a smaller delta");
+                            reason.what() + "): the solid is thinner than {delta}; choose a smaller {delta}");
       }
       spacing /= 2;
     }

@@ -62,7 +62,7 @@ std::vector<Ball_3> compute_balls(Context& context) {
   if (source == ball_source_3_computed) return balls_that_were_computed(context);
   std::vector<Ball_3> balls = balls_that_were_given(context);
   if (source == ball_source_3_given) {
-    if (balls.empty()) throw Unavailable("there are no given balls: add or open some, or choose another ball-source");
+    if (balls.empty()) throw Unavailable("there are no given balls: add or open some, or choose another {ball-source}");
     return balls;
   }
   if (balls.empty()) return balls_that_were_computed(context);
@@ -201,7 +201,7 @@ void register_samples_3(Registry& registry) {
   registry.add_structure<std::vector<Ball_3>>(balls_3_key, compute_balls);
   const char* stage = "Balls";
   registry.add_layer(make_layer("solid", "Solid", stage,
-                                "The closed surface that stands for the mesh, oriented outward, as repair says.",
+                                "The closed surface that stands for the mesh, oriented outward, as {repair} says.",
                                 {150, 160, 175}, [](Context& context) {
                                   const auto solid = context.get(solid_3_key);
                                   Primitive_set set = primitives_in_space();
@@ -212,13 +212,14 @@ void register_samples_3(Registry& registry) {
                                 }));
   registry.add_layer(make_layer(
       "samples", "Samples", stage,
-      "Points of the surface: every point of it has one within delta, and there are more where the balls would deviate "
+      "Points of the surface: every point of it has one within {delta}, and there are more where the balls would "
+      "deviate "
       "from it or the solid is thin.",
       {30, 30, 34}, [](Context& context) { return point_primitives(context.get(surface_samples_3_key)->points); }));
   Layer_spec balls =
       make_layer("balls", "Balls", stage,
                  "The balls whose union is looked at: given ones, and after them the inner poles of the samples of a "
-                 "mesh; without both, the inner poles of points that were read. ball-source chooses otherwise. Of a "
+                 "mesh; without both, the inner poles of points that were read. {ball-source} chooses otherwise. Of a "
                  "mesh alone, statistics tell how far their union is from it. [N. Amenta, S. Choi, R. "
                  "Kolluri: The power crust, unions of balls, and the medial axis transform, 2001]",
                  {60, 110, 170}, ball_layer);

@@ -34,7 +34,7 @@ class Spaced_samples {
     if (is_taken(p)) return;
     if (grid_.size() == most_samples)
       throw Unavailable("the surface would get more than " + std::to_string(most_samples) +
-                        " samples; choose a larger delta");
+                        " samples; choose a larger {delta}");
     grid_.add(p, spacing_);
     samples_.points.push_back(p);
     samples_.normals.push_back(normal);
@@ -134,7 +134,7 @@ Surface_samples_3 sample_surface(const Triangle_mesh_3& surface, double distance
     if (longest <= step) continue;
     const double parts = std::ceil(longest / step);
     if (parts * parts > 2.0 * static_cast<double>(most_samples))
-      throw Unavailable("the surface would get too many samples; choose a larger delta");
+      throw Unavailable("the surface would get too many samples; choose a larger {delta}");
     const int n = static_cast<int>(parts);
     constexpr int most_rows = 64;
     for (int row = 0; row <= n; row += most_rows) {

@@ -178,7 +178,7 @@ void register_scale_axis_2(Registry& registry) {
     layer.id = "grown-union";
     layer.label = "Grown shape";
     layer.stage = stage;
-    layer.help = "The union of the medial disks, all grown by the factor scale.";
+    layer.help = "The union of the medial disks, all grown by the factor {scale}.";
     layer.style = look({165, 165, 175}, 1.5);
     layer.style.filled = true;
     layer.style.opacity = 0.6;
@@ -226,8 +226,8 @@ void register_scale_axis_2(Registry& registry) {
     layer.label = "Scale axis: disks";
     layer.stage = stage;
     layer.help =
-        "The disks of the scale axis transform: medial disks of the grown shape, sampled as sampling-min-angle says, "
-        "shrunk back by the factor scale.";
+        "The disks of the scale axis transform: medial disks of the grown shape, sampled as {sampling-min-angle} says, "
+        "shrunk back by the factor {scale}.";
     layer.style = look({50, 140, 70}, 1);
     layer.style.opacity = 0.5;
     layer.build = [](Context& context) {
@@ -263,7 +263,7 @@ void register_scale_axis_2(Registry& registry) {
     layer.stage = stage;
     layer.help =
         "The medial axis of the grown shape (complete edges) without branches of small contact angle. At scale 1 and "
-        "scale-axis-min-angle 0 it is the medial axis. [J. Giesen, B. Miklos, M. Pauly, C. Wormser 2009; B. Miklos: "
+        "{scale-axis-min-angle} 0 it is the medial axis. [J. Giesen, B. Miklos, M. Pauly, C. Wormser 2009; B. Miklos: "
         "The Scale Axis Transform, 2010]";
     layer.style = look({20, 110, 40}, 2.5);
     layer.build = scale_axis_layer;

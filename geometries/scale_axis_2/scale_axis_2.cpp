@@ -44,7 +44,7 @@ class Sampler {
     const Point_2 middle = midpoint(result_.centers[a], result_.centers[b]);
     const int m = static_cast<int>(result_.centers.size());
     if (result_.centers.size() >= most_disks)
-      throw Unavailable("the scale axis would need more than 20 million disks: choose a smaller sampling-min-angle");
+      throw Unavailable("the scale axis would need more than 20 million disks: choose a smaller {sampling-min-angle}");
     result_.centers.push_back(middle);
     result_.radii.push_back(distance(middle, contact_) / scale_);
     halve(a, m, depth + 1);

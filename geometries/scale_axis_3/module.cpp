@@ -167,11 +167,11 @@ void register_scale_axis_3(Registry& registry) {
                                 {120, 120, 125}, grown_axis_layer));
   registry.add_layer(make_layer("scale-axis", "Scale axis", stage,
                                 "The medial axis of the grown shape without sheets of small contact angle, sampled as "
-                                "sampling-min-angle says; radii are shrunk back. [B. Miklos, J. Giesen, M. Pauly: "
+                                "{sampling-min-angle} says; radii are shrunk back. [B. Miklos, J. Giesen, M. Pauly: "
                                 "Discrete scale axis representations for 3D geometry, 2010]",
                                 {20, 110, 40}, scale_axis_layer));
   registry.add_layer(make_layer("scale-axis-balls", "Scale axis: balls", stage,
-                                "The balls of the scale axis, shrunk back by the factor scale. [B. Miklos: The Scale "
+                                "The balls of the scale axis, shrunk back by the factor {scale}. [B. Miklos: The Scale "
                                 "Axis Transform, 2010, section 5.2]",
                                 {50, 140, 70}, scale_axis_ball_layer));
 }

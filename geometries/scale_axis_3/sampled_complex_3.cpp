@@ -40,7 +40,7 @@ class Sampler {
       progress.check();
       if (result_.centers.size() > most_balls)
         throw Unavailable("the scale axis would get more than " + std::to_string(most_balls) +
-                          " balls; choose a smaller sampling-min-angle");
+                          " balls; choose a smaller {sampling-min-angle}");
     }
     close();
     for (double& radius : result_.radii) radius /= scale_;

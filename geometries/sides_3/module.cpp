@@ -16,7 +16,8 @@ namespace mesecina {
 namespace {
 
 constexpr const char* nothing_inside =
-    "no Voronoi vertex lies inside of the shape: the samples are too few (choose a smaller delta), or enclose nothing";
+    "no Voronoi vertex lies inside of the shape: the samples are too few (choose a smaller {delta}), or enclose "
+    "nothing";
 
 Voronoi_sides_3 compute_sides(Context& context) {
   const auto triangulation = context.get(delaunay_3_key);

@@ -109,7 +109,7 @@ void register_surface_3(Registry& registry) {
   registry.add_layer(make_layer(
       "union-surface", "Surface of the union", "Union of balls",
       "The boundary of the union of the balls as triangles: closed, manifold, oriented outward, and within "
-      "surface-tolerance. Its vertices lie on the boundary, each patch of a sphere is triangulated on its own. [H. "
+      "{surface-tolerance}. Its vertices lie on the boundary, each patch of a sphere is triangulated on its own. [H. "
       "Edelsbrunner: The union of balls and its dual shape, 1995]",
       {150, 170, 200}, [](Context& context) {
         const auto balls = context.get(dual_3_key)->regular;
@@ -118,7 +118,7 @@ void register_surface_3(Registry& registry) {
   registry.add_layer(
       make_layer("scale-axis-surface", "Scale axis: surface", "Scale axis",
                  "The simplified shape: the boundary of the union of the balls of the scale axis, shrunk back, within "
-                 "surface-tolerance. [B. Miklos: The Scale Axis Transform, 2010, section 6.1]",
+                 "{surface-tolerance}. [B. Miklos: The Scale Axis Transform, 2010, section 6.1]",
                  {140, 190, 150}, [](Context& context) {
                    const auto balls = context.get(scale_axis_dual_3_key)->regular;
                    return surface_layer(*context.get(scale_axis_surface_3_key), balls->balls);

@@ -27,7 +27,8 @@ Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_fac
   if (points.empty()) throw Unavailable("there are no balls with a radius");
   if (points.size() > most_skin_balls)
     throw Unavailable("there are " + std::to_string(points.size()) + " balls; skin surfaces are made of at most " +
-                      std::to_string(most_skin_balls) + ", as they take long");
+                      std::to_string(most_skin_balls) +
+                      ", as they take long; those of a mesh are fewer with a larger {delta}");
   Polyhedron polyhedron;
   CGAL::make_skin_surface_mesh_3(polyhedron, points.begin(), points.end(), shrink_factor);
   progress.check();

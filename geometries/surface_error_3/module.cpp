@@ -24,7 +24,7 @@ Surface_error_3 compute_error(Context& context) {
   if (error.hausdorff() > delta)
     context.warn("The union of balls and the surface differ by up to " + format_number(error.hausdorff()) +
                  " of the diagonal, more than delta (" + format_number(delta) +
-                 "): parts of the solid are thinner than the samples can carry. Choose a smaller delta.");
+                 "): parts of the solid are thinner than the samples can carry. Choose a smaller {delta}.");
   return error;
 }
 

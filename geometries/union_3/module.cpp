@@ -136,7 +136,7 @@ Dual_3 compute_dual(Context& context) {
   const auto solid = context.get(solid_3_key);
   if (const Topology found = topology(dual); solid->topology && solid->topology->betti != found.betti)
     context.warn("The union of balls has " + betti_text(found) + ", the solid " + betti_text(*solid->topology) +
-                 ": parts of it are thinner than the samples can carry. Choose a smaller delta.");
+                 ": parts of it are thinner than the samples can carry. Choose a smaller {delta}.");
   return dual;
 }
 
@@ -186,7 +186,7 @@ void warn_of_special_positions(Context& context, const Medial_complex_3& axis, c
       "The medial axis has not the topology of the union: more than three spheres meet in points within rounding. To "
       "mend that, let balls be moved a little: " +
       std::string(context.input(balls_input) && !are_balls_of_mesh(context)
-                      ? "set given-perturbation to 1e-6, or to 1e-4 for balls that come from samples."
+                      ? "set {given-perturbation} to 1e-6, or to 1e-4 for balls that come from samples."
                       : "set perturbation to more than it is."));
 }
 

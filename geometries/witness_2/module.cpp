@@ -18,7 +18,7 @@ namespace {
 std::shared_ptr<const std::vector<Point_2>> landmarks(Context& context) {
   auto result = context.input(landmarks_input);
   if (!result || result->empty())
-    throw Unavailable("there are no landmarks: go steps of the evolution max-min-landmarks");
+    throw Unavailable("there are no landmarks: go steps of the evolution {max-min-landmarks}");
   return result;
 }
 
@@ -146,7 +146,7 @@ void register_witness_2(Registry& registry) {
     layer.id = "landmarks";
     layer.label = "Landmarks";
     layer.stage = stage;
-    layer.help = "The samples that the evolution max-min-landmarks has chosen; their values are the order.";
+    layer.help = "The samples that the evolution {max-min-landmarks} has chosen; their values are the order.";
     layer.style = look({190, 60, 20});
     layer.style.point_size = 8;
     layer.build = landmark_layer;

@@ -11,7 +11,7 @@ Inputs some_points() { return Inputs().with(points_input, std::vector<Point_2>{{
 Layer_picture picture(std::size_t vertices) {
   Primitive_set set;
   set.vertices.resize(vertices);
-  return {std::make_shared<const Primitive_set>(std::move(set)), {}, {}, 0};
+  return {std::make_shared<const Primitive_set>(std::move(set)), {}, {}, {}, 0};
 }
 
 TEST(PictureCache, FindsByIdentityOfInputsSettingsAndLayer) {
@@ -68,7 +68,7 @@ TEST(PictureCache, CountsBytesAndKeepsToASmallerBudget) {
 TEST(PictureCache, ReasonsAreKeptToo) {
   Picture_cache cache(1 << 20);
   const Inputs inputs = some_points();
-  cache.put(inputs, {}, "axis", {nullptr, "needs 3 points", {"a duplicate"}, 0.5});
+  cache.put(inputs, {}, "axis", {nullptr, "needs 3 points", {"a duplicate"}, {}, 0.5});
   ASSERT_NE(cache.find(inputs, {}, "axis"), nullptr);
   EXPECT_EQ(cache.find(inputs, {}, "axis")->reason, "needs 3 points");
   EXPECT_EQ(cache.find(inputs, {}, "axis")->warnings, QStringList("a duplicate"));

@@ -113,6 +113,36 @@ TEST_F(Window_reports, TheLogSaysWhatFailedAndLeadsThere) {
   EXPECT_EQ(window().log().entries().back().text, "something");
 }
 
+TEST_F(Window_reports, AnEntryWithAPlaceLeadsThereAndSelectsWhatIsThere) {
+  std::vector<Point_2> curve;
+  for (int i = 0; i < 40; ++i) curve.push_back({10 * std::cos(i * 0.157), 10 * std::sin(i * 0.157)});
+  curve.push_back(curve[7]);
+  document().edit_inputs(Inputs().with(points_input, curve), "Twice the same");
+  const auto& entries = window().log().entries();
+  const auto merged = [&] {
+    return std::ranges::find_if(entries, [](const Log_panel::Entry& entry) { return entry.text.contains("equal"); });
+  };
+  ASSERT_TRUE(wait_until([&] { return merged() != entries.end(); }));
+  ASSERT_EQ(merged()->places.size(), 1u);
+  EXPECT_EQ(merged()->places[0].input, "points");
+  const std::size_t element = merged()->places[0].element;
+  EXPECT_TRUE(element == 7 || element == 40);
+  trigger("fit");
+  const View_2 before = canvas().view();
+  auto* list = window().log().findChild<QTreeWidget*>();
+  Q_EMIT list->itemActivated(list->topLevelItem(static_cast<int>(merged() - entries.begin())), 0);
+  EXPECT_GT(canvas().view().scale, 2 * before.scale);
+  EXPECT_NEAR(canvas().view().center.x, curve[7].x, 1e-9);
+  EXPECT_NEAR(canvas().view().center.y, curve[7].y, 1e-9);
+  EXPECT_EQ(window().editor().selection().points, std::vector<std::size_t>{element});
+
+  // What is gone by then is not selected.
+  const Log_panel::Entry entry = *merged();
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{0, 0}, {4, 0}, {4, 3}}), "Fewer");
+  Q_EMIT window().log().places_chosen(entry.places);
+  EXPECT_TRUE(window().editor().selection().points.empty());
+}
+
 TEST(Log_places, PathsAreFoundInMessages) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("a.xy");

@@ -77,6 +77,16 @@ class Window_editing_3 : public Window_3 {
   }
 };
 
+TEST_F(Window_editing_3, APlaceOfTheLogIsLookedAtAndWhatIsThereSelected) {
+  const std::vector<Place> places{{{1, 0, 0}, "balls", 1}, {{1, 0, 0}, "balls", 7}};
+  Q_EMIT window_->log().places_chosen(places);
+  EXPECT_EQ(editor().selection().balls, std::vector<std::size_t>{1});
+  EXPECT_NEAR(distance(viewer().view().camera.target, {1, 0, 0}), 0, 1e-6);
+  Q_EMIT window_->log().places_chosen({{{-1, 0, 0}}});
+  EXPECT_NEAR(distance(viewer().view().camera.target, {-1, 0, 0}), 0, 1e-6);
+  EXPECT_EQ(editor().selection().balls, std::vector<std::size_t>{1});
+}
+
 TEST_F(Window_editing_3, ClicksSelectAndShiftAddsAndNothingDeselects) {
   click(pixel({-1, 0, 0}));
   EXPECT_EQ(editor().selection(), (Selection_3{{}, {0}}));

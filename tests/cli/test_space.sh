@@ -96,6 +96,24 @@ expect_json healed/stats.jsonl '.[0] | .status == "ok" and (.notes.repair | leng
 run --nogui open.obj --layers balls --set repair=off --stats --output healed
 expect_json healed/stats.jsonl '.[0].layers.balls.reason | length > 20'
 
+# A format that holds nothing of a layer gives an empty file, and it is said what there is.
+succeed --nogui one.cin torus.obj --layers given-balls,mesh --formats stl,woff --stats --output kinds
+expect_in stderr 'one.cin: layer given-balls: stl holds triangles, and there is 1 ball: the file is empty'
+expect_in stderr 'torus.obj: layer mesh: woff holds balls, and there are 1280 triangles: the file is empty'
+expect_not_in stderr 'layer mesh: stl'
+expect_not_in stderr 'layer given-balls: woff'
+expect_json kinds/stats.jsonl '.[0].warnings | any(contains("stl holds triangles"))'
+
+# Helps and reasons name settings by their ids.
+succeed --list settings
+expect_in stdout 'stepped-growing in percent of what they are'
+expect_not_in stdout '{'
+succeed --list layers --json
+expect_json stdout '.[0] | map(.help) | all(contains("{") | not)'
+succeed --nogui torus.obj --layers balls --set ball-source=given --stats --formats json --output reasons
+expect_in stderr 'choose another ball-source'
+expect_json reasons/torus.balls.json '.[0].reason | endswith("choose another ball-source")'
+
 # Only what is not complete is computed again.
 succeed --nogui torus.obj --layers $layers "${settings[@]}" --formats json,ply,ma --resume --log info --output results
 expect_in stderr 'results are complete; skipped'

@@ -158,7 +158,7 @@ TEST_F(Worker_test, delivers_every_layer_in_order_with_its_outcome) {
   EXPECT_EQ(results_[0].ticket, 7U);
   ASSERT_TRUE(results_[0].outcome);
   EXPECT_EQ(results_[0].outcome.value->vertices[0].x, 7);
-  EXPECT_THAT(results_[0].warnings, testing::ElementsAre("slept"));
+  EXPECT_THAT(results_[0].remarks, testing::ElementsAre(Remark{"slept"}));
   EXPECT_GE(results_[0].seconds, 0.05);
   EXPECT_EQ(results_[1].outcome.reason, "never there");
   EXPECT_TRUE(finished_[0].completed);

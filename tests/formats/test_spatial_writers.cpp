@@ -284,6 +284,24 @@ TEST(Spatial_stl, MeshesComeBackInSinglePrecision) {
   EXPECT_EQ(again.str(), stream.str());
 }
 
+TEST(Spatial_writers, EmptyFilesAreToldWithWhatThereIs) {
+  const Formats formats = spatial_formats();
+  const Layer_writer& stl = *formats.find_layer_writer("stl");
+  const Layer_writer& woff = *formats.find_layer_writer("woff");
+  EXPECT_EQ(empty_file_text(stl, nullptr), "");
+  Primitive_set set;
+  EXPECT_EQ(empty_file_text(stl, &set), "");
+  set.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  set.points = {0};
+  EXPECT_EQ(empty_file_text(stl, &set), "stl holds triangles, and there is 1 point: the file is empty");
+  set.segments = {{0, 1}, {1, 2}};
+  EXPECT_EQ(empty_file_text(stl, &set), "stl holds triangles, and there is 1 point and 2 segments: the file is empty");
+  EXPECT_EQ(empty_file_text(woff, &set), "woff holds balls, and there is 1 point and 2 segments: the file is empty");
+  EXPECT_EQ(empty_file_text(*formats.find_layer_writer("ply"), &set), "");
+  set.triangles = {{0, 1, 2}};
+  EXPECT_EQ(empty_file_text(stl, &set), "");
+}
+
 TEST(Spatial_stl, LayersHaveTheirFacesAlone) {
   const std::string text = written("stl", medial_axis());
   EXPECT_THAT(text, StartsWith("mesecina some-layer, 1 elements left out"));

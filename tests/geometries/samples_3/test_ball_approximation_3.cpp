@@ -125,7 +125,7 @@ TEST(Ball_approximation_3, OfASolidThinnerThanAnythingIsSomethingOrAReason) {
     } catch (const Unavailable& error) {
       reason = error.what();
     }
-    EXPECT_NE(result.has_value(), reason.find("choose a smaller delta") != std::string::npos) << thickness;
+    EXPECT_NE(result.has_value(), reason.find("choose a smaller {delta}") != std::string::npos) << thickness;
     if (!result) continue;
     EXPECT_LE(result->samples.points.size(), 2 * result->even_sample_count + 100'000) << thickness;
     for (const Ball_3& ball : result->balls) EXPECT_LT(ball.radius, 0.3) << thickness;
