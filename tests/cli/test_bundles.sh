@@ -45,7 +45,8 @@ succeed --nogui "$giraffe" --layers medial-axis --set sampling-step=0.02 --style
 expect_same changed/giraffe.svg expected/giraffe.svg
 
 # The background: that of the bundle, unless it is said otherwise; on a dark one dark lines are lightened.
-echo '[{"name": "Night", "background": "dark", "layers": [{"id": "outline", "style": {"color": "#000000"}}]}]' >night.json
+echo '[{"name": "Night", "background": "dark", "layers": [{"id": "voronoi", "visible": false},
+  {"id": "outline", "style": {"color": "#000000"}}]}]' >night.json
 sed 's/dark/none/' night.json >nothing.json
 succeed --nogui "$giraffe" --bundle night.json --formats svg --output night
 expect_in night/giraffe.svg "#181a1e"
