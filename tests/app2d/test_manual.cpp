@@ -6,6 +6,7 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "core/help_text.h"
 #include "geometries/modules_2.h"
 #include "tests/widget_walk.h"
 #include "window_fixture.h"
@@ -31,11 +32,15 @@ TEST_F(Manual_in_window, NothingIsMissingAndNoLinkIsDead) {
   EXPECT_TRUE(pages.faults().isEmpty()) << pages.faults().join('\n').toStdString();
   const auto registry = make_registry_2();
   for (const Layer_spec& spec : registry->layers())
-    EXPECT_TRUE(body("layers").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+    EXPECT_TRUE(body("layers").contains(QString::fromStdString(with_labels(spec.help, *registry)).toHtmlEscaped()))
+        << spec.id;
   for (const Setting_spec& spec : registry->settings())
-    EXPECT_TRUE(body("settings").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+    EXPECT_TRUE(body("settings").contains(QString::fromStdString(with_labels(spec.help, *registry)).toHtmlEscaped()))
+        << spec.id;
   for (const Evolution_spec& spec : registry->evolutions())
-    EXPECT_TRUE(body("evolutions-list").contains(QString::fromStdString(spec.help).toHtmlEscaped())) << spec.id;
+    EXPECT_TRUE(
+        body("evolutions-list").contains(QString::fromStdString(with_labels(spec.help, *registry)).toHtmlEscaped()))
+        << spec.id;
   for (const Command& command : window().commands().list()) {
     EXPECT_TRUE(body("commands").contains(QStringLiteral("command-%1\"").arg(command.id))) << command.id.toStdString();
     EXPECT_TRUE(body("commands").contains(command.help.toHtmlEscaped())) << command.id.toStdString();

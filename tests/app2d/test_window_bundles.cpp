@@ -226,6 +226,48 @@ TEST_F(Window_bundles_test, ADigitIsGivenToAnyOneAndUndone) {
   EXPECT_EQ(store().bundles()[last].key, std::nullopt);
 }
 
+TEST_F(Window_bundles_test, ImportedOnesTakeNoDigitAway) {
+  panel().select(2);
+  trigger("bundle-key-5");
+  const std::size_t count = store().bundles().size();
+  window().bundles().import_file(write("mine.json", R"([{"name": "A", "key": 5}, {"name": "B", "key": 6}])"));
+  ASSERT_EQ(store().bundles().size(), count + 2);
+  EXPECT_EQ(key_of(store().bundles(), 2), 5);
+  EXPECT_EQ(store().bundles()[count].key, std::nullopt);
+  EXPECT_EQ(key_of(store().bundles(), count + 1), 6);
+}
+
+TEST_F(Window_bundles_test, AnUpdateKeepsKeyNeedsHelpAndWhatIsUnknown) {
+  window().bundles().import_file(write(
+      "mine.json",
+      R"([{"name": "A", "help": "Mine.", "key": 7, "needs": ["outline"], "layers": [{"id": "outlin"}], "settings": {"scal": 2}}])"));
+  const Bundle before = store().bundles().back();
+  ASSERT_FALSE(before.unknown.layers.empty());
+  press(Qt::Key_2);
+  panel().select(static_cast<int>(store().bundles().size()) - 1);
+  trigger("update-bundle");
+  const Bundle& after = store().bundles().back();
+  EXPECT_FALSE(after.layers.empty());
+  EXPECT_EQ(after.key, 7);
+  EXPECT_EQ(after.needs, before.needs);
+  EXPECT_EQ(after.help, "Mine.");
+  EXPECT_EQ(after.unknown, before.unknown);
+}
+
+TEST_F(Window_bundles_test, NoFileIsKeptOfAListThatIsAsItCame) {
+  trigger("save-bundle");
+  EXPECT_TRUE(QFile::exists(store().file()));
+  document().history().undo();
+  EXPECT_FALSE(QFile::exists(store().file()));
+}
+
+TEST_F(Window_bundles_test, WhatIsUnknownIsToldWhenOneIsShown) {
+  window().bundles().import_file(write("mine.json", R"([{"name": "A", "layers": [{"id": "outlin"}]}])"));
+  window().messages().dismiss();
+  window().bundles().apply(static_cast<int>(store().bundles().size()) - 1);
+  EXPECT_TRUE(window().messages().lines().join("").contains("there is no layer 'outlin'"));
+}
+
 TEST_F(Window_bundles_test, TheMenuOfKeysShowsTheKeyThatOneHas) {
   panel().select(2);
   trigger("bundle-key-7");
