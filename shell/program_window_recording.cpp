@@ -105,6 +105,10 @@ void Program_window::make_recording() {
   tabifyDockWidget(settings_dock_, record_dock_);
   settings_dock_->raise();
   record_dock_->hide();
+  // Qt would show the last tab, whichever that is.
+  connect(record_dock_->toggleViewAction(), &QAction::toggled, this, [this](bool is_shown) {
+    if (!is_shown && !settings_dock_->isHidden()) settings_dock_->raise();
+  });
   statusBar()->insertPermanentWidget(1, recording_->indicator());
   recording_->indicator()->hide();
   connect(recording_, &Window_recording::wish_changed, this, [this] { touch_scene(); });

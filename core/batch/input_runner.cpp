@@ -241,6 +241,7 @@ Input_statistics Input_runner::compute(const fs::path& file, int threads, const 
   Input_statistics statistics;
   statistics.input = file.string();
   const auto start = Clock::now();
+  forget_peak_memory();
   try {
     const std::string fingerprint_before = fingerprint(file);
     File_contents contents = read_file(formats_, file);

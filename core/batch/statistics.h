@@ -41,8 +41,10 @@ std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs);
 std::string layer_statistics(const Primitive_set* primitives, const std::string& reason);
 /// One line, ended by a newline.
 std::string to_json_line(const Input_statistics& statistics);
-/// Largest resident memory of this process so far, in bytes.
+/// Largest resident memory of this process since forget_peak_memory, or so far, in bytes.
 std::uint64_t peak_memory();
+/// Of several inputs that one process computes, each is to have its own peak. Does nothing where the system cannot.
+void forget_peak_memory();
 /// Resident memory of this process now, in bytes; 0 where the system does not say.
 std::uint64_t present_memory();
 

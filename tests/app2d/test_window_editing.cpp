@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QClipboard>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <QtTest>
@@ -285,6 +286,16 @@ TEST_F(Window_fixture, EscapeLeavesAFieldOfAPanelAndThenDeselects) {
   // Keys act on the canvas again.
   press(Qt::Key_2);
   EXPECT_TRUE(find_entry(document().layers(), "delaunay")->style.visible);
+}
+
+TEST_F(Window_fixture, ClosingThePanelOfFilmsShowsTheSettings) {
+  auto* settings = window().findChild<QDockWidget*>("settings-dock");
+  auto* films = window().findChild<QDockWidget*>("record-dock");
+  ASSERT_TRUE(settings && films);
+  trigger("record");
+  ASSERT_TRUE(wait_until([&] { return !films->visibleRegion().isEmpty() && settings->visibleRegion().isEmpty(); }));
+  films->close();
+  EXPECT_TRUE(wait_until([&] { return !settings->visibleRegion().isEmpty(); }));
 }
 
 }  // namespace

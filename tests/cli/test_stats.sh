@@ -37,6 +37,13 @@ expect_json stats.jsonl '.[3].warnings | map(select(test("1 of 4"))) | length ==
 succeed --nogui ellipse.xy --output unnamed --stats
 expect_json unnamed/stats.jsonl 'length == 1 and .[0].input == "ellipse.xy"'
 
+# Memory is that of the input, not of a larger one before it.
+if [ -w /proc/self/clear_refs ]; then
+  write_ellipse large.xy 60000
+  succeed --nogui large.xy ellipse.xy --layers voronoi --stats memory.jsonl --output memory
+  expect_json memory.jsonl '.[1].peak_rss_bytes < .[0].peak_rss_bytes * 0.8'
+fi
+
 run --nogui ellipse.xy --stats no/such/folder.jsonl --output out9
 [ "$status" -ne 0 ] && [ "$status" -lt 126 ] || fail "expected a failure, and no crash"
 expect_in stderr "no/such/folder.jsonl"
