@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QEvent>
 #include <QResizeEvent>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -194,13 +195,19 @@ void Evolution_bar::show_fitness() {
     const Evolution_spec& spec = all[static_cast<std::size_t>(row)];
     const QString reason = control_.why_unfit(spec.id);
     const QString help = text_of(with_labels(spec.help, control_.registry()));
+    const QString why = text_of(with_labels(reason.toStdString(), control_.registry()));
     const QString tip =
-        reason.isEmpty() ? help : tr("Not for the present data: %1.").arg(reason) + QStringLiteral("\n\n") + help;
-    if (evolutions_->itemData(row, Qt::ToolTipRole).toString() == tip) continue;
-    evolutions_->setItemData(row, tip, Qt::ToolTipRole);
-    const QVariant dim = reason.isEmpty() ? QVariant() : palette().brush(QPalette::Disabled, QPalette::Text);
-    evolutions_->setItemData(row, dim, Qt::ForegroundRole);
+        reason.isEmpty() ? help : tr("Not for the present data: %1.").arg(why) + QStringLiteral("\n\n") + help;
+    const QVariant dim = reason.isEmpty() ? QVariant() : QVariant(palette().brush(QPalette::PlaceholderText));
+    if (evolutions_->itemData(row, Qt::ToolTipRole).toString() != tip)
+      evolutions_->setItemData(row, tip, Qt::ToolTipRole);
+    if (evolutions_->itemData(row, Qt::ForegroundRole) != dim) evolutions_->setItemData(row, dim, Qt::ForegroundRole);
   }
+}
+
+void Evolution_bar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && evolutions_) show_fitness();
 }
 
 void Evolution_bar::show_control() {

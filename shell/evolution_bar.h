@@ -31,6 +31,7 @@ class Evolution_bar : public QWidget {
   void budget_edited(int megabytes);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
