@@ -300,6 +300,20 @@ TEST_F(Control, TellsWhyStepsEnd) {
   EXPECT_TRUE(note.contains("3")) << note.toStdString();
 }
 
+TEST_F(Control, GoingToAStepPauses) {
+  make_steps(5);
+  ASSERT_TRUE(wait_for_steps(5));
+  control_.first();
+  control_.set_steps_per_second(100);
+  control_.set_repeat(Evolution_control::Repeat::wrap);
+  control_.play(Evolution_control::Motion::forward);
+  ASSERT_TRUE(wait_until([&] { return document_.position() > 1; }));
+  control_.go_to(1);
+  EXPECT_FALSE(control_.is_playing());
+  QTest::qWait(50);
+  EXPECT_EQ(document_.position(), 1u);
+}
+
 TEST_F(Control, PlayingShowsEveryStepAndEndsAtTheLast) {
   set("slowness", 10);
   make_steps(4);

@@ -337,6 +337,19 @@ TEST_F(Recording, AnAnimationHasAPictureForEveryStepAsFilesHaveThem) {
   EXPECT_NE(QImage(folder_.filePath("f-01.png")), QImage(folder_.filePath("f-04.png")));
 }
 
+TEST_F(Recording, AnAnimationGoesOnWhileFramesWaitForTheRangeOfColours) {
+  Layer_list layers = document().layers();
+  for (Layer_entry& entry : layers)
+    if (entry.id == "angle-medial-axis") entry.style.value = "angle";
+  document().edit_layers(layers, "Colours");
+  ASSERT_TRUE(wait_until([&] { return !window().computation().is_busy(); }));
+  set_file("w-%02d.png");
+  recording().prepare(sweep(12));
+  trigger("record-film");
+  ASSERT_TRUE(wait_until_done());
+  EXPECT_EQ(files().size(), 12);
+}
+
 TEST_F(Recording, EveryChangeIsAFrame) {
   set_file("c-%d.png");
   panel().set_source(Record_panel::Source::changes);

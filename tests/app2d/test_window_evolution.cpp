@@ -57,6 +57,11 @@ TEST_F(Window_evolution, WhatDoesNotSuitTheDataIsDimmedWithTheReason) {
   EXPECT_TRUE(item("laplacian-smoothing", Qt::ForegroundRole).isValid());
   EXPECT_TRUE(item("laplacian-smoothing", Qt::ToolTipRole).toString().contains("there is no curve"));
   EXPECT_FALSE(item("grow-balls", Qt::ForegroundRole).isValid());
+  QPalette other = bar().palette();
+  other.setBrush(QPalette::PlaceholderText, Qt::magenta);
+  bar().setPalette(other);
+  EXPECT_EQ(item("laplacian-smoothing", Qt::ForegroundRole).value<QBrush>().color(), QColor(Qt::magenta))
+      << "the theme was changed";
   document().history().undo();
   EXPECT_EQ(control().chosen(), "laplacian-smoothing");
   EXPECT_FALSE(item("laplacian-smoothing", Qt::ForegroundRole).isValid());
