@@ -311,6 +311,7 @@ TEST_F(Window_bundles_test, WithoutABackgroundPicturesAreTransparent) {
     EXPECT_TRUE(wait_until([&] { return !window().has_file_jobs(); }));
     return qAlpha(QImage(folder_.filePath(name)).pixel(0, 0));
   };
+  trigger("background-paper");
   EXPECT_EQ(corner("paper.png"), 255);
   trigger("background-none");
   EXPECT_EQ(corner("none.png"), 0);
