@@ -145,9 +145,10 @@ Evolution_state grow_medial_balls(Context& context, const Evolution_state& befor
   const auto axis = context.get(medial_axis_3_key);
   if (factor == 1) return before;
   const double min_angle = context.setting(min_angle_setting);
-  const Medial_complex_3 kept =
-      min_angle == 0 ? *axis
-                     : without_small_sheets(*axis, angle_of_faces(*axis), min_angle, context.progress()).complex;
+  const Medial_complex_3 kept = min_angle == 0 ? *axis
+                                               : without_small_sheets(*axis, angle_of_faces(*axis, context.progress()),
+                                                                      min_angle, context.progress())
+                                                     .complex;
   std::vector<Ball_3> balls;
   balls.reserve(kept.centers.size());
   // Many medial balls nearly coincide, or touch the same points: the union of such balls is degenerate.

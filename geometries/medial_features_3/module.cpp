@@ -114,7 +114,8 @@ Primitive_set sheet_layer(Context& context) {
       values_of_sheets(parts, areas_of_faces(*axis), [](double sum, double area) { return sum + area; }), 0);
   constexpr double never_removed = 180;
   add(set, "sheet-angle", "degrees",
-      values_of_sheets(parts, angle_of_faces(*axis), [](double most, double angle) { return std::max(most, angle); }),
+      values_of_sheets(parts, angle_of_faces(*axis, context.progress()),
+                       [](double most, double angle) { return std::max(most, angle); }),
       never_removed);
   return set;
 }

@@ -144,7 +144,7 @@ void register_medial_filtrations_3(Registry& registry) {
   registry.add_structure<Medial_values_3>(
       lambda_3_key, [](Context& context) { return lambda_values(*context.get(medial_axis_3_key)); });
   registry.add_structure<Medial_values_3>(
-      angle_3_key, [](Context& context) { return angle_values(*context.get(medial_axis_3_key)); });
+      angle_3_key, [](Context& context) { return angle_values(*context.get(medial_axis_3_key), context.progress()); });
   registry.add_structure<Medial_values_3>(
       scale_3_key, [](Context& context) { return scale_values(*context.get(medial_axis_3_key), context.progress()); });
   registry.add_structure<Source_balls_3>(source_balls_3_key, [](Context& context) {

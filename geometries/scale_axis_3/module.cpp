@@ -35,14 +35,14 @@ Medial_complex_3 compute_grown_axis(Context& context) {
 
 Pruned_axis_3 compute_pruned(Context& context) {
   const auto grown_axis = context.get(grown_medial_axis_3_key);
-  const std::vector<double> angles = angle_of_faces(*grown_axis);
+  const std::vector<double> angles = angle_of_faces(*grown_axis, context.progress());
   Pruned_complex_3 kept =
       without_small_sheets(*grown_axis, angles, context.setting(min_angle_setting), context.progress());
   Pruned_axis_3 pruned;
   pruned.complex = std::move(kept.complex);
   pruned.angles.reserve(kept.faces.size());
   for (const int face : kept.faces) pruned.angles.push_back(angles[face]);
-  pruned.sheets = sheets(pruned.complex);
+  pruned.sheets = std::move(kept.sheets);
   if (const auto steps = context.setting(rim_setting); steps > 0)
     pruned.complex = with_smooth_rims(std::move(pruned.complex), static_cast<int>(steps));
   return pruned;
@@ -81,7 +81,7 @@ Primitive_set scale_axis_ball_layer(Context& context) {
 Primitive_set grown_axis_layer(Context& context) {
   const auto axis = context.get(grown_medial_axis_3_key);
   Primitive_set set = medial_primitives(*axis);
-  add_medial_values(set, "angle", "degrees", angle_values(*axis));
+  add_medial_values(set, "angle", "degrees", angle_values(*axis, context.progress()));
   add_medial_values(set, "lambda", "units of the input", lambda_values(*axis));
   return set;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/outcome.h"
+#include "geometries/parallel.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
 
 namespace mesecina {
@@ -36,7 +37,7 @@ class Sampler {
   }
 
   Ball_complex_3 run(Progress& progress) {
-    for (int round = 0; round < most_rounds && split_once(); ++round) {
+    for (int round = 0; round < most_rounds && split_once(progress); ++round) {
       progress.check();
       if (result_.centers.size() > most_balls)
         throw Unavailable("the scale axis would get more than " + std::to_string(most_balls) +
@@ -75,20 +76,23 @@ class Sampler {
   }
 
   /// Halves what is new since the last round; the rest has no edge that is too long.
-  bool split_once() {
+  bool split_once(Progress& progress) {
     middles_.clear();
+    std::vector<std::uint8_t> is_split(open_.size(), 0);
+    parallel_for(open_.size(), progress, [&](std::size_t t) {
+      const auto& [a, b, c] = open_[t];
+      is_split[t] = is_too_long(a, b) || is_too_long(b, c) || is_too_long(c, a) ? 1 : 0;
+    });
     const std::size_t before = result_.centers.size();
     std::vector<std::array<int, 3>> triangles;
     std::vector<int> faces;
     for (std::size_t t = 0; t < open_.size(); ++t) {
-      const std::size_t first = triangles.size();
-      split_triangle(open_[t], triangles);
-      if (triangles.size() == first + 1) {
-        result_.triangles.push_back(triangles.back());
+      if (is_split[t] == 0) {
+        result_.triangles.push_back(open_[t]);
         result_.face_of_triangle.push_back(open_faces_[t]);
-        triangles.pop_back();
       } else {
-        faces.insert(faces.end(), triangles.size() - first, open_faces_[t]);
+        split_triangle(open_[t], triangles);
+        faces.resize(triangles.size(), open_faces_[t]);
       }
     }
     std::vector<std::array<int, 2>> edges;
@@ -114,16 +118,13 @@ class Sampler {
     result_.edges.insert(result_.edges.end(), open_edges_.begin(), open_edges_.end());
   }
 
+  /// Of a triangle with an edge that is too long.
   void split_triangle(const std::array<int, 3>& corners, std::vector<std::array<int, 3>>& triangles) {
     std::array<int, 3> middles{};  // across from the corners
     int halved = 0;
     for (int i = 0; i < 3; ++i) {
       middles[i] = middle_of(corners[(i + 1) % 3], corners[(i + 2) % 3]);
       halved += middles[i] >= 0 ? 1 : 0;
-    }
-    if (halved == 0) {
-      triangles.push_back(corners);
-      return;
     }
     if (halved == 3) {
       for (int i = 0; i < 3; ++i) triangles.push_back({corners[i], middles[(i + 2) % 3], middles[(i + 1) % 3]});

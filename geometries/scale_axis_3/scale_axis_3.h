@@ -27,6 +27,7 @@ Medial_values_3 sheet_values(const Medial_complex_3& complex);
 /// A part of a complex, and where its faces are in the whole.
 struct Pruned_complex_3 {
   Medial_complex_3 complex;
+  Sheets_3 sheets;         ///< of the part
   std::vector<int> faces;  ///< per face its number in the whole complex, ascending
 };
 /// The complex without the sheets whose largest face angle is less than `min_angle` degrees, the smallest first, as

@@ -13,7 +13,8 @@ namespace {
 
 /// Which edges each face has and which faces each edge, and how many edges each vertex.
 struct Incidences {
-  explicit Incidences(const Medial_complex_3& complex) : edges_of_faces(mesecina::edges_of_faces(complex)) {
+  Incidences(const Medial_complex_3& complex, Progress& progress)
+      : edges_of_faces(mesecina::edges_of_faces(complex, progress)) {
     face_offsets.assign(complex.edges.size() + 1, 0);
     edge_degrees.assign(complex.centers.size(), 0);
     for (const int edge : edges_of_faces) ++face_offsets[edge + 1];
@@ -67,9 +68,9 @@ Sheets_3 sheets_of(const Medial_complex_3& complex, const Incidences& incidences
 /// Removes sheets from a complex, whole ones, by collapses only.
 class Pruner {
  public:
-  Pruner(const Medial_complex_3& complex, const std::vector<double>& angles)
+  Pruner(const Medial_complex_3& complex, const std::vector<double>& angles, Progress& progress)
       : complex_(complex),
-        incidences_(complex),
+        incidences_(complex, progress),
         has_face_(complex.face_count(), 1),
         has_edge_(complex.edges.size(), 1),
         has_vertex_(complex.centers.size(), 1),
@@ -115,9 +116,13 @@ class Pruner {
       result.radii.push_back(complex_.radii[v]);
       result.balls.push_back(complex_.balls[v]);
     }
+    std::vector<int> renumbered(faces_.size(), -1);
     for (std::size_t f = 0; f < has_face_.size(); ++f) {
       if (has_face_[f] == 0) continue;
       pruned.faces.push_back(static_cast<int>(f));
+      int& sheet = renumbered[sheet_of_face_[f]];
+      if (sheet < 0) sheet = pruned.sheets.count++;
+      pruned.sheets.sheet_of_face.push_back(sheet);
       for (const int v : complex_.face(f)) result.face_vertices.push_back(renamed[v]);
       result.face_offsets.push_back(static_cast<int>(result.face_vertices.size()));
       result.contacts.push_back(complex_.contacts[f]);
@@ -265,7 +270,10 @@ std::vector<Ball_3> grown(const std::vector<Ball_3>& balls, double scale) {
   return result;
 }
 
-Sheets_3 sheets(const Medial_complex_3& complex) { return sheets_of(complex, Incidences(complex)); }
+Sheets_3 sheets(const Medial_complex_3& complex) {
+  Progress progress;
+  return sheets_of(complex, Incidences(complex, progress));
+}
 
 Medial_values_3 sheet_values(const Medial_complex_3& complex) {
   constexpr double none = -1;
@@ -291,13 +299,14 @@ Medial_values_3 sheet_values(const Medial_complex_3& complex) {
 Pruned_complex_3 without_small_sheets(const Medial_complex_3& complex, const std::vector<double>& angles,
                                       double min_angle, Progress& progress) {
   progress.begin_stage("pruning");
-  Pruner pruner(complex, angles);
+  Pruner pruner(complex, angles, progress);
   pruner.prune(min_angle, progress);
   return pruner.result();
 }
 
 Medial_complex_3 with_smooth_rims(Medial_complex_3 complex, int steps) {
-  const Incidences incidences(complex);
+  Progress progress;
+  const Incidences incidences(complex, progress);
   std::vector<std::array<int, 2>> neighbors(complex.centers.size(), {-1, -1});
   std::vector<int> rim_degrees(complex.centers.size(), 0);
   for (std::size_t e = 0; e < complex.edges.size(); ++e) {

@@ -67,7 +67,7 @@ Primitive_set face_layer(Context& context) {
   axis.face_vertices = std::move(faces.vertices);
   for (const auto& [a, b] : faces.sites) axis.contacts.push_back({triangulation->points[a], triangulation->points[b]});
   Primitive_set set = primitives_in_space();
-  set.values.push_back({"angle", "degrees", angle_of_faces(axis)});
+  set.values.push_back({"angle", "degrees", angle_of_faces(axis, context.progress())});
   set.values.push_back({"lambda", "units of the input", lambda_of_faces(axis)});
   set.vertices = std::move(axis.centers);
   set.radii = triangulation->circumradii;

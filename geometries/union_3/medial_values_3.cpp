@@ -59,13 +59,17 @@ Medial_values_3 values_of(const Medial_complex_3& complex, std::vector<double> f
 }  // namespace
 
 std::vector<int> edges_of_faces(const Medial_complex_3& complex) {
+  Progress progress;
+  return edges_of_faces(complex, progress);
+}
+
+std::vector<int> edges_of_faces(const Medial_complex_3& complex, Progress& progress) {
   // Edges are ascending: those of each lesser vertex are neighbours.
   std::vector<int> firsts(complex.centers.size() + 1, 0);
   for (const auto& ends : complex.edges) ++firsts[ends[0] + 1];
   std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
-  std::vector<int> edges;
-  edges.reserve(complex.face_vertices.size());
-  for (std::size_t f = 0; f < complex.face_count(); ++f) {
+  std::vector<int> edges(complex.face_vertices.size());
+  parallel_for(complex.face_count(), progress, [&](std::size_t f) {
     const auto corners = complex.face(f);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const int a = corners[i];
@@ -73,9 +77,9 @@ std::vector<int> edges_of_faces(const Medial_complex_3& complex) {
       const std::array<int, 2> ends{std::min(a, b), std::max(a, b)};
       const auto it =
           std::lower_bound(complex.edges.begin() + firsts[ends[0]], complex.edges.begin() + firsts[ends[0] + 1], ends);
-      edges.push_back(static_cast<int>(it - complex.edges.begin()));
+      edges[complex.face_offsets[f] + i] = static_cast<int>(it - complex.edges.begin());
     }
-  }
+  });
   return edges;
 }
 
@@ -114,10 +118,10 @@ Medial_values_3 lambda_values(const Medial_complex_3& complex) {
       [&](int vertex) { return complex.radii[vertex]; });
 }
 
-Medial_values_3 angle_values(const Medial_complex_3& complex) {
+Medial_values_3 angle_values(const Medial_complex_3& complex, Progress& progress) {
   constexpr double straight = 180;
   return values_of(
-      complex, angle_of_faces(complex),
+      complex, angle_of_faces(complex, progress),
       [](const Circle_of_edge& circle) {
         if (circle.distance_to_edge == 0) return straight;
         return 2 * std::atan2(circle.radius, circle.distance_to_edge) * straight / std::numbers::pi;

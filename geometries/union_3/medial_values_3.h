@@ -11,6 +11,8 @@
 namespace mesecina {
 
 /// Per place in face_vertices the edge from that vertex of the face to its next one. O(n) for few edges per vertex.
+std::vector<int> edges_of_faces(const Medial_complex_3& complex, Progress& progress);
+/// In one thread.
 std::vector<int> edges_of_faces(const Medial_complex_3& complex);
 
 /// One number per vertex, edge and face of a medial complex.
@@ -32,7 +34,7 @@ Medial_values_3 values_with_bounds(const Medial_complex_3& complex, std::vector<
 Medial_values_3 lambda_values(const Medial_complex_3& complex);
 /// The largest angle under which contacts are seen, in degrees: angle_of_faces; of an edge without faces the same for
 /// opposite points of the circle in which the spheres of its ends meet; of a lone vertex 180. O(n).
-Medial_values_3 angle_values(const Medial_complex_3& complex);
+Medial_values_3 angle_values(const Medial_complex_3& complex, Progress& progress);
 
 /// Per vertex the slope, in [0,1], at which the distance to the nearest of its known contacts, those of its faces,
 /// grows from its center in the direction in which it grows fastest; 1 without any. O(n).

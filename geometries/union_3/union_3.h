@@ -80,6 +80,6 @@ std::vector<Ball_3> perturbed(std::vector<Ball_3> balls, double part);
 std::vector<double> lambda_of_faces(const Medial_complex_3& axis);
 /// Per face: the angle, in degrees in (0,180], under which its contacts are seen from the point of the face that is
 /// nearest to the middle between them.
-std::vector<double> angle_of_faces(const Medial_complex_3& axis);
+std::vector<double> angle_of_faces(const Medial_complex_3& axis, Progress& progress);
 
 }  // namespace mesecina

@@ -24,21 +24,26 @@ struct Voronoi_faces {
 };
 
 /// Ascending, each once. O(n) for edges between near numbers of vertices.
-void sort_edges(std::vector<std::array<int, 2>>& edges, std::size_t vertex_count) {
+void sort_edges(std::vector<std::array<int, 2>>& edges, std::size_t vertex_count, Progress& progress) {
   std::vector<int> offsets(vertex_count + 1, 0);
   for (const auto& edge : edges) ++offsets[edge[0] + 1];
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<int> others(edges.size());
   std::vector<int> next(offsets.begin(), offsets.end() - 1);
   for (const auto& edge : edges) others[next[edge[0]]++] = edge[1];
-  edges.clear();
-  for (std::size_t v = 0; v < vertex_count; ++v) {
+  std::vector<int> firsts(vertex_count + 1, 0);
+  parallel_for(vertex_count, progress, [&](std::size_t v) {
     const auto begin = others.begin() + offsets[v];
     const auto end = others.begin() + offsets[v + 1];
     std::sort(begin, end);
-    for (auto it = begin; it != end; ++it)
-      if (it == begin || *it != *(it - 1)) edges.push_back({static_cast<int>(v), *it});
-  }
+    firsts[v + 1] = static_cast<int>(std::unique(begin, end) - begin);
+  });
+  std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
+  edges.resize(firsts.back());
+  parallel_for(vertex_count, progress, [&](std::size_t v) {
+    for (int e = firsts[v]; e < firsts[v + 1]; ++e)
+      edges[e] = {static_cast<int>(v), others[offsets[v] + e - firsts[v]]};
+  });
 }
 
 class Axis_builder {
@@ -57,7 +62,7 @@ class Axis_builder {
     add_voronoi_faces();
     add_voronoi_edges();
     add_attachments();
-    sort_edges(result_.edges, result_.centers.size());
+    sort_edges(result_.edges, result_.centers.size(), progress_);
     return std::move(result_);
   }
 
@@ -212,11 +217,20 @@ class Axis_builder {
 
   /// Those of faces are among them.
   void add_voronoi_edges() {
-    for (std::size_t c = 0; c < voronoi_.cells.size(); ++c) {
-      if (voronoi_.is_inner[c] == 0) continue;
-      for (const int next : voronoi_.neighbors[c])
-        if (static_cast<int>(c) < next && voronoi_.is_inner[next] != 0) add_edge(node_of_cell_[c], node_of_cell_[next]);
-    }
+    const std::size_t count = voronoi_.cells.size();
+    constexpr std::size_t block = 65536;
+    std::vector<std::vector<std::array<int, 2>>> found((count + block - 1) / block);
+    parallel_blocks(found.size(), progress_, [&](std::size_t b) {
+      for (std::size_t c = b * block; c < std::min(count, (b + 1) * block); ++c) {
+        if (voronoi_.is_inner[c] == 0) continue;
+        const int node = node_of_cell_[c];
+        for (const int next : voronoi_.neighbors[c]) {
+          if (static_cast<int>(c) > next || voronoi_.is_inner[next] == 0 || node_of_cell_[next] == node) continue;
+          found[b].push_back({std::min(node, node_of_cell_[next]), std::max(node, node_of_cell_[next])});
+        }
+      }
+    });
+    for (const auto& part : found) result_.edges.insert(result_.edges.end(), part.begin(), part.end());
   }
 
   /// A Voronoi edge that leaves the dual complex ends at the center of the ball on whose sphere its three points lie.
@@ -307,7 +321,8 @@ Loose_parts_3 loose_parts(const Medial_complex_3& complex) {
       sides.push_back({std::min(a, b), std::max(a, b)});
     }
   }
-  sort_edges(sides, complex.centers.size());
+  Progress progress;
+  sort_edges(sides, complex.centers.size(), progress);
   Loose_parts_3 parts;
   std::ranges::set_difference(complex.edges, sides, std::back_inserter(parts.edges));
   std::vector<std::uint8_t> has_edge(complex.centers.size(), 0);
@@ -324,15 +339,14 @@ std::vector<double> lambda_of_faces(const Medial_complex_3& axis) {
   return lambda;
 }
 
-std::vector<double> angle_of_faces(const Medial_complex_3& axis) {
-  std::vector<double> angles;
-  angles.reserve(axis.face_count());
-  for (std::size_t f = 0; f < axis.face_count(); ++f) {
+std::vector<double> angle_of_faces(const Medial_complex_3& axis, Progress& progress) {
+  std::vector<double> angles(axis.face_count());
+  parallel_for(axis.face_count(), progress, [&](std::size_t f) {
     const auto& [p, q] = axis.contacts[f];
     const Point_3 middle = midpoint(p, q);
     const double height = distance(middle, nearest_on_face(axis, f, middle));
-    angles.push_back(2 * std::atan2(distance(p, q) / 2, height) * 180 / std::numbers::pi);
-  }
+    angles[f] = 2 * std::atan2(distance(p, q) / 2, height) * 180 / std::numbers::pi;
+  });
   return angles;
 }
 

@@ -87,7 +87,8 @@ TEST(Medial_feature_layers_3, SheetsHaveAreaAndTheLargestAngle) {
   Box_graph graph;
   const Primitive_set sheets = graph.layer("sheets");
   const auto axis = graph.get(medial_axis_3_key);
-  const std::vector<double> angles = angle_of_faces(*axis);
+  Progress progress;
+  const std::vector<double> angles = angle_of_faces(*axis, progress);
   const std::size_t first = sheets.points.size() + sheets.segments.size();
   std::map<double, double> areas;
   std::map<double, double> largest;

@@ -126,9 +126,9 @@ testing::AssertionResult have_values_by_definition(const Medial_complex_3& compl
                              [&](int v) { return complex.radii[v]; }),
                          1e-6);
   if (!result) return result << " (lambda)";
-  result = are_near(angle_values(complex),
+  result = are_near(angle_values(complex, progress),
                     with_bounds(
-                        complex, angle_of_faces(complex),
+                        complex, angle_of_faces(complex, progress),
                         [&](const auto& edge) { return largest_angle_on(complex, edge); }, [](int) { return 180; }),
                     1);
   if (!result) return result << " (angle)";
@@ -183,13 +183,13 @@ TEST(Medial_values_3, OfOneAndTwoBalls) {
   Progress progress;
   const Medial_complex_3 one = axis_of({{{1, 2, 3}, 4}}).complex;
   EXPECT_EQ(lambda_values(one).vertices, (std::vector<double>{4}));
-  EXPECT_EQ(angle_values(one).vertices, (std::vector<double>{180}));
+  EXPECT_EQ(angle_values(one, progress).vertices, (std::vector<double>{180}));
   EXPECT_EQ(scale_values(one, progress).vertices, (std::vector<double>{infinity}));
 
   const Medial_complex_3 two = axis_of({{{0, 0, 0}, 5}, {{0, 0, 8}, 5}}).complex;
   EXPECT_EQ(lambda_values(two).edges, (std::vector<double>{3}));
   EXPECT_EQ(lambda_values(two).vertices, (std::vector<double>{3, 3}));
-  EXPECT_EQ(angle_values(two).edges, (std::vector<double>{180}));
+  EXPECT_EQ(angle_values(two, progress).edges, (std::vector<double>{180}));
   EXPECT_EQ(scale_values(two, progress).edges, (std::vector<double>{infinity}));
 
   const Medial_complex_3 unequal = axis_of({{{0, 0, 0}, 2}, {{3, 0, 0}, 1.25}}).complex;
@@ -199,7 +199,7 @@ TEST(Medial_values_3, OfOneAndTwoBalls) {
 
   const Medial_complex_3 touching = axis_of({{{0, 0, 0}, 1}, {{2, 0, 0}, 1}}).complex;
   EXPECT_EQ(lambda_values(touching).edges, (std::vector<double>{0}));
-  EXPECT_EQ(angle_values(touching).edges, (std::vector<double>{180}));
+  EXPECT_EQ(angle_values(touching, progress).edges, (std::vector<double>{180}));
 }
 
 /// Contacts of an edge without faces are on the circle where the spheres of its ends meet, so that its middle is as far

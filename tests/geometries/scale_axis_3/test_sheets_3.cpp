@@ -65,6 +65,16 @@ std::int64_t euler(const Medial_complex_3& complex) {
          static_cast<std::int64_t>(complex.face_count());
 }
 
+/// Whose sheets are those of what is left.
+Pruned_complex_3 pruned(Builder& builder, double min_angle) {
+  Progress progress;
+  Pruned_complex_3 result = without_small_sheets(builder.complex(), builder.angles, min_angle, progress);
+  const Sheets_3 expected = sheets(result.complex);
+  EXPECT_EQ(result.sheets.count, expected.count);
+  EXPECT_EQ(result.sheets.sheet_of_face, expected.sheet_of_face);
+  return result;
+}
+
 TEST(Sheets_3, EndWhereThreeFacesMeet) {
   EXPECT_EQ(sheets(plate_with_fins({}).complex()).count, 1);
   const Sheets_3 parts = sheets(plate_with_fins({20}).complex());
@@ -73,9 +83,8 @@ TEST(Sheets_3, EndWhereThreeFacesMeet) {
 }
 
 TEST(Sheets_3, SmallOnesGoAndWhatTheyPartedIsOneAgain) {
-  Progress progress;
   Builder builder = plate_with_fins({20, 10});
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
+  const Medial_complex_3 result = pruned(builder, 30).complex;
   EXPECT_EQ(result.face_count(), 2u);
   EXPECT_EQ(result.centers.size(), 6u);
   EXPECT_EQ(result.edges.size(), 7u);
@@ -83,48 +92,45 @@ TEST(Sheets_3, SmallOnesGoAndWhatTheyPartedIsOneAgain) {
 }
 
 TEST(Sheets_3, LargeOnesStay) {
-  Progress progress;
   Builder builder = plate_with_fins({20, 40});
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
+  const Medial_complex_3 result = pruned(builder, 30).complex;
   EXPECT_EQ(result.face_count(), 3u);
   // The plate and the fin of 40 degrees.
-  EXPECT_EQ(without_small_sheets(builder.complex(), builder.angles, 30, progress).faces, (std::vector<int>{0, 1, 3}));
-  EXPECT_EQ(without_small_sheets(builder.complex(), builder.angles, 0, progress).complex.face_count(), 4u);
+  EXPECT_EQ(pruned(builder, 30).faces, (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(pruned(builder, 0).complex.face_count(), 4u);
 }
 
 TEST(Sheets_3, AComplexOfOnlySmallSheetsKeepsItsTopology) {
-  Progress progress;
   Builder builder = plate_with_fins({20}, 25);
-  const Medial_complex_3 result = without_small_sheets(builder.complex(), builder.angles, 30, progress).complex;
+  const Medial_complex_3 result = pruned(builder, 30).complex;
   EXPECT_EQ(euler(result), 1);
   EXPECT_FALSE(result.centers.empty());
 }
 
 TEST(Sheets_3, ASheetThatClosesATunnelOrACavityStays) {
-  Progress progress;
   // A ring of three squares: removing one would open it.
   Builder ring;
   std::vector<int> v;
   for (int i = 0; i < 6; ++i) v.push_back(ring.vertex());
   for (int i = 0; i < 3; ++i) ring.face({v[i], v[(i + 1) % 3], v[3 + (i + 1) % 3], v[3 + i]}, 10);
   EXPECT_EQ(euler(ring.complex()), 0);
-  EXPECT_EQ(euler(without_small_sheets(ring.complex(), ring.angles, 30, progress).complex), 0);
+  EXPECT_EQ(euler(pruned(ring, 30).complex), 0);
   // A tetrahedron's surface.
   Builder hull;
   v.clear();
   for (int i = 0; i < 4; ++i) v.push_back(hull.vertex());
   for (int i = 0; i < 4; ++i) hull.face({v[i], v[(i + 1) % 4], v[(i + 2) % 4]}, 10);
-  EXPECT_EQ(without_small_sheets(hull.complex(), hull.angles, 30, progress).complex.face_count(), 4u);
+  EXPECT_EQ(pruned(hull, 30).complex.face_count(), 4u);
   // A fin that also carries an edge at its far side cannot go without what hangs on it.
   Builder carrier = plate_with_fins({20});
   carrier.edge(7, carrier.vertex());
-  EXPECT_EQ(without_small_sheets(carrier.complex(), carrier.angles, 30, progress).complex.face_count(), 3u);
+  EXPECT_EQ(pruned(carrier, 30).complex.face_count(), 3u);
   // With both of its far corners held by a handle, it holds a tunnel.
   Builder handle = plate_with_fins({20});
   const int far = handle.vertex();
   handle.edge(6, far);
   handle.edge(7, far);
-  const auto kept = without_small_sheets(handle.complex(), handle.angles, 30, progress).complex;
+  const auto kept = pruned(handle, 30).complex;
   EXPECT_EQ(euler(kept), euler(handle.complex()));
   EXPECT_EQ(kept.face_count(), 3u);
 }

@@ -85,16 +85,17 @@ TEST(Union_medial_axis_3, lacks_nothing_but_faces_that_leave_the_union) {
 
 /// Three balls around a singular triangle, 3-4-5: half the distance of the contacts, seen from between them.
 TEST(Union_medial_axis_3, measures_faces) {
+  Progress progress;
   const Axis_3 axis = axis_of({{{4, 0, 0}, 5}, {{0, 4, 0}, 5}, {{-4, 0, 0}, 5}});
   ASSERT_EQ(axis.complex.face_count(), 1U);
   EXPECT_NEAR(lambda_of_faces(axis.complex)[0], 3, 1e-12);
-  EXPECT_NEAR(angle_of_faces(axis.complex)[0], 180, 1e-5);
+  EXPECT_NEAR(angle_of_faces(axis.complex, progress)[0], 180, 1e-5);
   // The contacts are above (0, 0), 1 beside the triangle.
   const Axis_3 beside =
       axis_of({{{5, 1, 0}, std::sqrt(35.0)}, {{0, 8, 0}, std::sqrt(73.0)}, {{-5, 1, 0}, std::sqrt(35.0)}});
   ASSERT_EQ(beside.complex.face_count(), 1U);
   EXPECT_NEAR(lambda_of_faces(beside.complex)[0], 3, 1e-9);
-  EXPECT_NEAR(angle_of_faces(beside.complex)[0], 2 * std::atan(3.0) * 180 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(angle_of_faces(beside.complex, progress)[0], 2 * std::atan(3.0) * 180 / std::numbers::pi, 1e-6);
 }
 
 }  // namespace
