@@ -118,7 +118,7 @@ TEST(Landmark_disks_2, FewAndDegenerateDisks) {
   Graph graph(make_registry_2());
   graph.set_inputs(Inputs().with(disks_input, Disks{{{1, 1}, 0}, {{2, 1}, 0}}));
   Progress progress;
-  EXPECT_THAT(graph.layer("landmark-disks", progress).reason, HasSubstr("evolution landmark-disks"));
+  EXPECT_THAT(graph.layer("landmark-disks", progress).reason, HasSubstr("evolution {landmark-disks}"));
   evolve(graph, "landmark-disks", 1, progress);
   EXPECT_THAT(graph.layer("landmark-disks-grown", progress).reason, HasSubstr("do not grow"));
   EXPECT_THAT(graph.layer("landmark-disks-dual", progress).reason, HasSubstr("do not grow"));
