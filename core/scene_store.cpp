@@ -14,8 +14,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/formats/durable_file.h"
 #include "core/formats/format.h"
-#include "core/formats/input_json.h"
+#include "core/formats/input_bytes.h"
 #include "core/formats/text_file.h"
 
 namespace mesecina {
@@ -176,7 +177,7 @@ void Running_scene::write(const Session& session) {
   used_.clear();
   const std::string text =
       to_json(session, [this](const Inputs& inputs, std::string_view id) { return write_input(inputs, id); });
-  write_file(folder_ / scene_name, [&](std::ostream& stream) { stream << text; });
+  write_file_durably(folder_ / scene_name, [&](std::ostream& stream) { stream << text; });
   files_ = std::exchange(used_, {});
   written_ = session;
   remove_unused();
@@ -191,10 +192,8 @@ std::string Running_scene::write_input(const Inputs& inputs, std::string_view id
   } else if (known = used_.find(identity); known != used_.end()) {
     name = known->second;
   } else {
-    name = input_prefix + std::string(id) + "-" + std::to_string(next_++) + ".json";
-    std::string text;
-    append_input_json(text, inputs, id);
-    write_file(folder_ / name, [&](std::ostream& stream) { stream << text; });
+    name = input_prefix + std::string(id) + "-" + std::to_string(next_++) + ".bin";
+    write_file_durably(folder_ / name, [&](std::ostream& stream) { write_input_bytes(stream, inputs, id); });
   }
   used_[identity] = name;
   return R"({"file": ")" + name + "\"}";

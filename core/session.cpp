@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/formats/input_bytes.h"
 #include "core/formats/input_json.h"
 #include "core/formats/json_text.h"
 #include "core/formats/text_file.h"
@@ -102,7 +103,9 @@ Inputs inputs_of(const Json& json, const std::string& where, const Input_source&
       inputs = with_input_of(inputs, id, other);
     } else if (value.is_object() && value.contains("file") && source) {
       if (!value["file"].is_string()) refuse_json(value["file"], here, "the name of a file");
-      inputs = with_input_json(inputs, id, parse_json(source(value["file"].get<std::string>())));
+      const std::string text = source(value["file"].get<std::string>());
+      inputs =
+          is_input_bytes(text) ? with_input_bytes(inputs, id, text) : with_input_json(inputs, id, parse_json(text));
     } else if (is_input_json(id, value) || !unknown) {
       inputs = with_input_json(inputs, id, value);
     } else {

@@ -70,7 +70,7 @@ std::optional<View_2> view_for(const Session& session, double width, double heig
 
 /// The JSON of an input, or of a reference to it: as append_input_json by default.
 using Input_text = std::function<std::string(const Inputs& inputs, std::string_view id)>;
-/// What a reference of an input to a file says is there, as text. Throws File_error.
+/// What is in the file that an input refers to: JSON, or bytes of write_input_bytes. Throws File_error.
 using Input_source = std::function<std::string(const std::string& file)>;
 
 /// The text of a session: JSON, in ASCII. Numbers read back as they were. Inputs that have no form in JSON are left

@@ -4,11 +4,8 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <thread>
 
 #include "core/scene_store.h"
@@ -16,7 +13,7 @@
 namespace mesecina {
 
 /// Writes the scene of a window into its store soon after every change, on a thread of its own. Inputs that stay the
-/// same are not written again.
+/// same are not written again. At most one scene is being written and one waits, the newest.
 class Autosave : public QObject {
   Q_OBJECT
  public:
@@ -26,14 +23,21 @@ class Autosave : public QObject {
   /// `scene` gives what there is now; it is called on the window's thread and should cost next to nothing. Throws
   /// File_error where the store cannot be written.
   Autosave(const Scene_store& store, std::function<Session()> scene, QObject* parent = nullptr);
-  /// Leaves what was written as after a crash, unless close() was called.
+  /// Leaves what was written as after a crash, unless close() was called. Waits for what is being written, unless
+  /// abandon() was called.
   ~Autosave() override;
 
   /// Something has changed.
   void touch();
-  /// Writes what is not written yet, waits for it, and moves the scene to the kept ones; or removes it.
+  /// Begins to write what is not written yet, without the delay.
+  void flush();
+  /// Something is not on the disk yet.
+  bool is_busy() const;
+  /// Moves the scene to the kept ones, with what was not written yet; or removes it. Waits for the disk.
   void close(bool is_kept);
-  const std::filesystem::path& folder() const { return running_.folder(); }
+  /// What is being written is left to itself, for a disk that does not answer.
+  void abandon();
+  const std::filesystem::path& folder() const;
 
  Q_SIGNALS:
   /// The scene could not be written; said once per reason.
@@ -42,17 +46,16 @@ class Autosave : public QObject {
   void written();
 
  private:
+  struct Work;
   void hand_over();
-  void serve(const std::stop_token& stop);
-  void write(const Session& session);
+  static void serve(const std::shared_ptr<Work>& work, const std::stop_token& stop);
+  static void write(Work& work, const Session& session);
+  void take_result(const QString& reason);
 
   std::function<Session()> scene_;
   QTimer timer_;
-  QString last_reason_;  ///< this thread only
-  Running_scene running_;
-  std::mutex mutex_;
-  std::condition_variable_any wake_;
-  std::optional<Session> waiting_;
+  QString last_reason_;
+  std::shared_ptr<Work> work_;  ///< outlives this object where it was abandoned
   std::jthread thread_;
 };
 

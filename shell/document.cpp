@@ -173,7 +173,13 @@ void Document::name_bundle(const std::string& name) {
 }
 
 void Document::mark_saved(const std::vector<std::string>& input_ids) {
-  Inputs saved = state_.inputs;
+  // So that undo stops at what was saved.
+  end_step();
+  mark_saved(input_ids, state_.inputs);
+}
+
+void Document::mark_saved(const std::vector<std::string>& input_ids, const Inputs& inputs) {
+  Inputs saved = inputs;
   const auto keep = [&](auto key) {
     if (std::ranges::find(input_ids, key.id) == input_ids.end()) saved = saved.with(key, saved_.get(key));
   };
@@ -185,20 +191,24 @@ void Document::mark_saved(const std::vector<std::string>& input_ids) {
   keep(balls_input);
   keep(cloud_input);
   saved_ = std::move(saved);
-  // What comes now is another step, so that undo stops at what was saved.
-  history_.setClean();
   tell_modified();
 }
 
 void Document::mark_scene_saved() {
-  mark_all_saved();
-  saved_scene_ = state_;
+  end_step();
+  mark_scene_saved(state_);
+}
+
+void Document::mark_scene_saved(const Document_state& scene) {
+  saved_ = scene.inputs;
+  saved_scene_ = scene;
+  tell_modified();
 }
 
 void Document::mark_all_saved() {
   saved_ = state_.inputs;
   saved_scene_.reset();
-  history_.setClean();
+  end_step();
   tell_modified();
 }
 

@@ -85,6 +85,11 @@ class Document : public QObject {
   /// Says that the inputs of these ids are in a file as they are now; so are those that evolutions keep for themselves,
   /// which no file of data holds.
   void mark_saved(const std::vector<std::string>& input_ids);
+  /// The same of inputs that there were when saving began; and of a whole scene.
+  void mark_saved(const std::vector<std::string>& input_ids, const Inputs& inputs);
+  void mark_scene_saved(const Document_state& scene);
+  /// What comes now is another step of the history, also where it would be merged.
+  void end_step() { history_.setClean(); }
   void mark_all_saved();
   /// Says that a file holds everything there is, looks and settings too, and is to hold it from now on.
   void mark_scene_saved();

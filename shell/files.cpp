@@ -2,13 +2,16 @@
 #include "shell/files.h"
 
 #include <QDir>
+#include <QEventLoop>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <algorithm>
 #include <utility>
 
+#include "core/formats/durable_file.h"
 #include "core/formats/picture_scene.h"
 #include "shell/preferences.h"
 
@@ -55,6 +58,11 @@ QString Files::title() const { return title_.isEmpty() ? tr("Untitled") : title_
 QString Files::stem() const { return title_.isEmpty() ? tr("untitled") : QFileInfo(title_).completeBaseName(); }
 
 void Files::set_current(const QString& file, const QString& title) {
+  ++document_number_;
+  name(file, title);
+}
+
+void Files::name(const QString& file, const QString& title) {
   current_file_ = file;
   title_ = title;
   Q_EMIT title_changed();
@@ -222,24 +230,50 @@ bool Files::save_session_as() {
 }
 
 bool Files::save_session_to(const QString& path) {
-  Session session = scene_.session();
+  auto session = std::make_shared<Session>(scene_.session());
   // What is in the session's file is named by it.
-  session.title = QFileInfo(path).fileName().toStdString();
-  session.file.clear();
-  for (const std::string& id : without_form(session.inputs))
+  session->title = QFileInfo(path).fileName().toStdString();
+  session->file.clear();
+  session->is_modified = false;
+  for (const std::string& id : without_form(session->inputs))
     Q_EMIT told(Message_bar::Kind::warning,
                 tr("%1 cannot hold the %2, which are left out").arg(path, kinds_.part_name(id)));
-  try {
-    write_file(path.toStdString(), [&](std::ostream& stream) { stream << to_json(session); });
-  } catch (const std::exception& error) {
-    Q_EMIT told(Message_bar::Kind::error, message_of(error));
-    return false;
-  }
-  remember_folder(path);
-  document_.mark_scene_saved();
-  set_current(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
-  Q_EMIT opened(path);
+  begin_saving(
+      path, [session](std::ostream& stream) { stream << to_json(*session); },
+      [this, state = document_.state()] { document_.mark_scene_saved(state); }, true);
   return true;
+}
+
+void Files::begin_saving(const QString& path, const std::function<void(std::ostream&)>& write,
+                         const std::function<void()>& mark_saved, bool names_document) {
+  remember_folder(path);
+  // Undo stops at what is saved.
+  document_.end_step();
+  const auto take_success = [this, path, mark_saved, names_document, number = document_number_] {
+    if (number == document_number_) {
+      mark_saved();
+      if (names_document) name(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
+    }
+    Q_EMIT opened(path);
+  };
+  saving_.run(tr("Saving %1").arg(QFileInfo(path).fileName()),
+              [this, path, write, take_success]() -> std::function<void()> {
+                try {
+                  write_file_durably(path.toStdString(), write);
+                  return take_success;
+                } catch (const std::exception& error) {
+                  return [this, text = message_of(error)] { Q_EMIT told(Message_bar::Kind::error, text); };
+                }
+              });
+}
+
+bool Files::finish_saving(std::chrono::milliseconds bound) {
+  if (!is_saving()) return true;
+  QEventLoop loop;
+  connect(&saving_, &Background_jobs::idle, &loop, &QEventLoop::quit);
+  QTimer::singleShot(bound, &loop, &QEventLoop::quit);
+  loop.exec(QEventLoop::ExcludeUserInputEvents);
+  return !is_saving();
 }
 
 bool Files::save_to(const QString& path) {
@@ -271,8 +305,7 @@ bool Files::save_to(const QString& path) {
             .arg(path, extension, kinds_.part_name(writer->input_id), lost.join(tr(" and "))));
     return false;
   }
-  if (!write(path, *writer)) return false;
-  set_current(QFileInfo(path).absoluteFilePath(), QFileInfo(path).fileName());
+  write(path, *writer, true);
   return true;
 }
 
@@ -289,7 +322,10 @@ bool Files::save_part_as(const std::string& input_id) {
 
 bool Files::save_part_to(const QString& path, const std::string& input_id) {
   const Input_writer* writer = writer_for(path, input_id);
-  if (writer) return write(path, *writer);
+  if (writer) {
+    write(path, *writer, false);
+    return true;
+  }
   Q_EMIT told(Message_bar::Kind::error,
               tr("%1: no file .%2 can hold the %3; expected one of %4")
                   .arg(path, QFileInfo(path).suffix(), kinds_.part_name(input_id),
@@ -297,17 +333,14 @@ bool Files::save_part_to(const QString& path, const std::string& input_id) {
   return false;
 }
 
-bool Files::write(const QString& path, const Input_writer& writer) {
-  try {
-    write_file(path.toStdString(), [&](std::ostream& stream) { writer.write(stream, document_.inputs()); });
-  } catch (const std::exception& error) {
-    Q_EMIT told(Message_bar::Kind::error, message_of(error));
-    return false;
-  }
-  remember_folder(path);
-  document_.mark_saved({writer.input_id, std::string(image_input.id)});
-  Q_EMIT opened(path);
-  return true;
+void Files::write(const QString& path, const Input_writer& writer, bool names_document) {
+  const Inputs inputs = document_.inputs();
+  begin_saving(
+      path, [formats = formats_, &writer, inputs](std::ostream& stream) { writer.write(stream, inputs); },
+      [this, id = writer.input_id, inputs] {
+        document_.mark_saved({id, std::string(image_input.id)}, inputs);
+      },
+      names_document);
 }
 
 void write_picture(const Picture_writer& writer, const std::filesystem::path& file, const Film_frame& frame,

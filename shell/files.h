@@ -5,6 +5,8 @@
 #include <QSize>
 #include <QString>
 #include <QStringList>
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -69,11 +71,14 @@ class Files : public QObject {
   /// Says that the document is the example of a first start.
   void name_example() { set_current({}, tr("Example")); }
 
-  /// Into the file of the document, if there is one that can hold everything, else asks.
+  // What saves begins to: the file is written on another thread, as the data is now, and is complete on the disk, or
+  // not there, whatever happens. The document counts as saved when it is there; else a message says why not.
+
+  /// Into the file of the document, if there is one that can hold everything, else asks. False when the user gave up.
   bool save();
   /// False, with a message, also when there is more than any one file can hold.
   bool save_as();
-  /// By the extension. False, with a message, when the file cannot hold everything there is or cannot be written.
+  /// By the extension. False, with a message, when the file cannot hold everything there is.
   bool save_to(const QString& path);
   /// Everything there is, as a session, into a file that is asked for.
   bool save_session_as();
@@ -99,6 +104,13 @@ class Files : public QObject {
   QString choose_for_reading(const QString& title, const QString& filters);
   QString choose_folder(const QString& title);
 
+  /// Something is being saved, which must not be cut short.
+  bool is_saving() const { return saving_.is_busy(); }
+  const Background_jobs& saving() const { return saving_; }
+  /// Waits for it, for this long at most; the window goes on, but takes nothing of the user. False where it takes
+  /// longer.
+  bool finish_saving(std::chrono::milliseconds bound);
+  /// What reads and exports, and can be cancelled.
   Background_jobs& jobs() { return jobs_; }
   const Background_jobs& jobs() const { return jobs_; }
   /// Of the document; empty for none.
@@ -125,7 +137,10 @@ class Files : public QObject {
   static QString session_filter();
   QString filters_for(const std::vector<std::string>& input_ids) const;
   std::vector<std::string> parts() const;
-  bool write(const QString& path, const Input_writer& writer);
+  void write(const QString& path, const Input_writer& writer, bool names_document);
+  void begin_saving(const QString& path, const std::function<void(std::ostream&)>& write,
+                    const std::function<void()>& mark_saved, bool names_document);
+  void name(const QString& file, const QString& title);
   void take_session(const Loaded& result);
   void set_current(const QString& file, const QString& title);
   QString last_folder() const;
@@ -139,7 +154,9 @@ class Files : public QObject {
   bool has_scenes_in_pictures_ = true;
   QString current_file_;
   QString title_;
+  std::uint64_t document_number_ = 0;  ///< of what was opened, so that saving does not name what came later
   Background_jobs jobs_;
+  Background_jobs saving_;
 };
 
 }  // namespace mesecina

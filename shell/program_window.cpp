@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shell/program_window.h"
 
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
@@ -264,6 +262,9 @@ void Program_window::connect_common() {
   connect(computing_, &Status_progress::cancel_requested, &computation_, &Computation::cancel);
   connect(&common_files_->jobs(), &Background_jobs::started, working_, &Status_progress::begin);
   connect(&common_files_->jobs(), &Background_jobs::idle, working_, &Status_progress::end);
+  connect(&common_files_->saving(), &Background_jobs::started, this,
+          [this](const QString& text) { statusBar()->showMessage(text + QChar(0x2026)); });
+  connect(&common_files_->saving(), &Background_jobs::idle, statusBar(), &QStatusBar::clearMessage);
   connect(working_, &Status_progress::cancel_requested, &common_files_->jobs(), &Background_jobs::cancel);
   connect(common_files_, &Files::told, messages_, &Message_bar::add);
   connect(common_files_, &Files::opened, recent_files_, &Recent_files::add);
@@ -451,30 +452,6 @@ void Program_window::store() {
   preferences.set_value(QStringLiteral("geometry"), saveGeometry());
   preferences.set_value(QStringLiteral("docks"), saveState());
   store_evolution();
-}
-
-bool Program_window::may_close() {
-  // What is kept comes back at the next start, or from the menu: there is nothing to ask.
-  if (autosave_ && !is_autosave_broken_) return true;
-  if (!document_.is_modified() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT")) return true;
-  const auto answer = QMessageBox::question(this, tr("Save changes?"), unsaved_text(),
-                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  if (answer == QMessageBox::Save) return common_files_->save();
-  return answer == QMessageBox::Discard;
-}
-
-void Program_window::closeEvent(QCloseEvent* event) {
-  if (!may_lose_film() || !may_close()) {
-    event->ignore();
-    return;
-  }
-  evolution_.pause();
-  evolution_.evolver().cancel();
-  computation_.cancel();
-  common_files_->jobs().cancel();
-  end_keeping();
-  store();
-  event->accept();
 }
 
 void Program_window::dragEnterEvent(QDragEnterEvent* event) {

@@ -108,7 +108,7 @@ class Program_window : public QMainWindow {
   /// Everything that a line of text can do here.
   const Commands& commands() const { return *commands_; }
   /// Files are being read or written.
-  bool has_file_jobs() const { return common_files_->jobs().is_busy(); }
+  bool has_file_jobs() const { return common_files_->jobs().is_busy() || common_files_->is_saving(); }
   /// That is so, or something visible is not computed yet, or steps are being made.
   bool is_busy() const { return has_file_jobs() || computation_.is_busy() || evolution_.evolver().is_busy(); }
   Message_bar& messages() { return *messages_; }
@@ -125,6 +125,9 @@ class Program_window : public QMainWindow {
   /// From now on the scene is written into the store soon after every change, and what other windows left there is
   /// offered. `is_reopening`: the scene that was closed last is shown, unless the user wants none. For programs; once.
   void keep_scenes(const std::filesystem::path& store, bool is_reopening);
+  /// Closes as soon as possible, without a question: dialogs are given up, the film ends where it is, the scene is
+  /// kept as when the user closes the window. closed() tells when it is done.
+  void end();
   Statistics_panel& statistics() { return *statistics_; }
   Log_panel& log() { return *log_; }
   /// Null before keep_scenes(), and where the store cannot be written.
@@ -133,6 +136,9 @@ class Program_window : public QMainWindow {
 
   /// When everything visible is computed: draws it at once and waits until it is drawn.
   virtual void finish_drawing() = 0;
+
+ Q_SIGNALS:
+  void closed();
 
  protected:
   /// The canvas below the bar of messages.
@@ -249,6 +255,9 @@ class Program_window : public QMainWindow {
   /// For now: the user's usual one stays what it is.
   void show_background(Canvas_background background);
   bool may_close();
+  bool is_settled() const;
+  bool settle();
+  void try_to_end();
   void make_bundle_commands();
   void make_evolution_commands();
   QStringList bundle_names() const;
@@ -271,6 +280,7 @@ class Program_window : public QMainWindow {
   void record_run(const Worker::Report& report);
   void log_layer(const std::string& layer);
   void end_keeping();
+  bool reopens_scenes() const;
   void show_session(const Session& session);
   void show_stored_scene(const QString& folder, const QString& step);
   void recover(const QString& folder);
@@ -310,6 +320,8 @@ class Program_window : public QMainWindow {
   std::optional<Scene_store> store_;
   std::unique_ptr<Autosave> autosave_;
   bool is_autosave_broken_ = false;
+  bool is_closing_ = false;         ///< waits for what is being written, or for an answer
+  bool is_ending_ = false;          ///< nobody is there to answer
   std::filesystem::path reopened_;  ///< the kept scene that this window took up; empty for none
   Session::Unknown unknown_;        ///< of the session that was opened last
 };

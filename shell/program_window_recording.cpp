@@ -4,7 +4,6 @@
 #include <QDockWidget>
 #include <QImage>
 #include <QMenu>
-#include <QMessageBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 
@@ -155,20 +154,6 @@ void Program_window::open_animation(const std::string& setting, double from, dou
   open_popover(open_animation_popover(*registry_, recording_->sweep(setting, from, to), recording_->animation(),
                                       recording_->panel().request().frames_per_second, recording_->player(),
                                       common_canvas_, std::move(calls)));
-}
-
-bool Program_window::may_lose_film() {
-  if (!recording_ || !recording_->recorder().is_active() || qEnvironmentVariableIsSet("MESECINA_NO_PROMPT"))
-    return true;
-  const auto answer = QMessageBox::question(
-      this, tr("Complete the film?"), tr("A film of %1 frames is not complete.").arg(recording_->recorder().frames()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  if (answer == QMessageBox::Save && recording_->recorder().is_active()) {
-    closes_after_film_ = true;
-    recording_->stop();
-    return false;
-  }
-  return answer != QMessageBox::Cancel;
 }
 
 }  // namespace mesecina

@@ -78,7 +78,7 @@ void Program_window::keep_scenes(const std::filesystem::path& store, bool is_reo
   recovery_bar_->offer(store_->crashed());
   store_->expire(kept_for, most_kept);
   const auto kept = store_->kept();
-  if (is_reopening && !kept.empty() && (*actions_)[reopen_key]->isChecked()) {
+  if (is_reopening && !kept.empty() && reopens_scenes()) {
     show_stored_scene(QString::fromStdString(kept.front().folder.string()), {});
   }
   try {
@@ -95,15 +95,7 @@ void Program_window::keep_scenes(const std::filesystem::path& store, bool is_reo
   }
 }
 
-void Program_window::end_keeping() {
-  if (!autosave_) return;
-  const bool is_wanted = document_.is_modified() || (*actions_)[reopen_key]->isChecked();
-  autosave_->close(is_wanted && !document_.inputs().is_empty());
-  autosave_.reset();
-  // Its successor was kept just now.
-  std::error_code error;
-  if (is_wanted && !reopened_.empty()) std::filesystem::remove_all(reopened_, error);
-}
+bool Program_window::reopens_scenes() const { return (*actions_)[reopen_key]->isChecked(); }
 
 void Program_window::touch_scene() {
   if (autosave_) autosave_->touch();

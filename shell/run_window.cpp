@@ -20,6 +20,7 @@
 #include <system_error>
 
 #include "core/batch/command_line.h"
+#include "shell/ending_signals.h"
 #include "shell/manual.h"
 #include "shell/program_window.h"
 #include "shell/script_runner.h"
@@ -128,6 +129,13 @@ int run_window(int argc, char** argv, const Program_identity& identity, const Wi
   QApplication application(own_count, argv);
   name_application(identity);
   const std::unique_ptr<Program_window> window = make_window();
+  const Ending_signals signals;
+  QObject::connect(&signals, &Ending_signals::received, window.get(), [&] {
+    // Other windows, like the manual, would go on.
+    const int code = order.script ? exit_interrupted : exit_success;
+    QObject::connect(window.get(), &Program_window::closed, qApp, [code] { QCoreApplication::exit(code); });
+    window->end();
+  });
   // Pictures of windows for documents, and scripts, depend on nothing that was before and leave nothing behind.
   if (!is_set("MESECINA_FIRST_PICTURE") && !order.script) window->keep_scenes(scenes_folder(), identity.is_plain_start);
   report_first_picture(*window);

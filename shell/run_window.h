@@ -32,6 +32,9 @@ struct Window_order {
 /// display it says so on stderr and returns exit_wrong_usage. With MESECINA_FIRST_PICTURE set it ends by itself when
 /// everything visible was drawn, saves the window under that name unless it is "-", and says after how long.
 ///
+/// SIGTERM, SIGINT and SIGHUP end it as soon as possible, without a question; the next start goes on where it was. The
+/// exit code is then exit_success; with a script, which has not come to its end, exit_interrupted.
+///
 /// A script begins when the window is there. Its error is told on stderr, and ends the program with exit_some_failed.
 int run_window(int argc, char** argv, const Program_identity& identity, const Window_order& order,
                const std::function<std::unique_ptr<Program_window>()>& make_window);

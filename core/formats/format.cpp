@@ -2,10 +2,6 @@
 #include "core/formats/format.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <fstream>
-#include <locale>
 #include <system_error>
 
 #include "core/formats/readers.h"
@@ -38,26 +34,6 @@ std::string known_extensions(const Formats& formats) {
   std::string text;
   for (const std::string& extension : extensions) text.append(text.empty() ? "." : " .").append(extension);
   return text;
-}
-
-/// A file next to `file` that did not exist before and exists, empty, now.
-std::filesystem::path create_temporary(const std::filesystem::path& file) {
-  constexpr int most_attempts = 1000;
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    std::filesystem::path temporary = file;
-    temporary += ".part" + std::to_string(attempt);
-    errno = 0;
-    if (std::FILE* created = std::fopen(temporary.c_str(), "wx")) {
-      std::fclose(created);
-      return temporary;
-    }
-    if (errno != EEXIST) {
-      throw File_error(file, 0,
-                       "expected to create a file here, found '" + std::generic_category().message(errno) +
-                           "'; check that the folder exists and may be written");
-    }
-  }
-  throw File_error(file, 0, "expected to create a file here, found 1000 left-over .part files; delete them");
 }
 
 }  // namespace
@@ -145,25 +121,6 @@ std::string empty_file_text(const Layer_writer& writer, const Primitive_set* pri
   for (std::size_t i = 0; i < there.size(); ++i)
     text += (i == 0 ? " " : i + 1 == there.size() ? " and " : ", ") + there[i];
   return text + ": the file is empty";
-}
-
-void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write) {
-  const std::filesystem::path temporary = create_temporary(file);
-  std::error_code error;
-  try {
-    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-    stream.imbue(std::locale::classic());
-    write(stream);
-    stream.close();
-    if (!stream) throw File_error(file, 0, "expected to write the whole file, found no room for it; free disk space");
-    std::filesystem::rename(temporary, file, error);
-    if (error) {
-      throw File_error(file, 0, "expected to replace this file, found '" + error.message() + "'; choose another name");
-    }
-  } catch (...) {
-    std::filesystem::remove(temporary, error);
-    throw;
-  }
 }
 
 }  // namespace mesecina

@@ -272,6 +272,7 @@ TEST_F(Window_evolution, WhatEvolutionsKeepBesideTheDataIsNotSaved) {
   ASSERT_GT(document().inputs().ids().size(), ids.size());
   EXPECT_TRUE(document().is_modified());
   EXPECT_TRUE(window().files().save_to(folder_.filePath("spread.xy")));
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_FALSE(document().is_modified());
   EXPECT_EQ(window().messages().lines(), QStringList());
 }

@@ -79,6 +79,7 @@ TEST_F(Files, SavesWhatItReadExactly) {
   const auto read = points();
   const QString path = folder_.filePath("out.poff");
   ASSERT_TRUE(window().files().save_to(path));
+  ASSERT_TRUE(wait_until_saved());
   window().files().open({path}, false);
   ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
   EXPECT_EQ(points(), read);
@@ -90,6 +91,7 @@ TEST_F(Files, SaveWritesTheFileOfTheDocument) {
   window().editor().add_point({5, 5});
   EXPECT_TRUE(window().isWindowModified());
   trigger("save");
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_FALSE(window().isWindowModified());
   EXPECT_EQ(content(path), "0 0\n1 1\n5 5\n");
 }
@@ -102,6 +104,7 @@ TEST_F(Files, RefusesToLoseAPart) {
   EXPECT_FALSE(QFile::exists(path));
   EXPECT_TRUE(window().messages().lines().front().contains("outline"));
   EXPECT_TRUE(window().files().save_part_to(path, "points"));
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_EQ(content(path), "0 0\n1 0\n5 5\n");
   EXPECT_FALSE(document().is_modified());
   EXPECT_FALSE(window().files().save_to(folder_.filePath("what.docx")));
@@ -234,6 +237,7 @@ TEST_F(Files, DisksAreSavedAndReadExactly) {
   for (const char* name : {"out.wpoff", "out.csv"}) {
     const QString path = folder_.filePath(name);
     ASSERT_TRUE(window().files().save_to(path));
+    ASSERT_TRUE(wait_until_saved());
     EXPECT_FALSE(document().is_modified());
     trigger("new");
     window().files().open({path}, false);
@@ -259,6 +263,7 @@ TEST_F(Files, NeverLosesDisksOrPointsSilently) {
     if (chooser) chooser->close();
   });
   trigger("save");
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_TRUE(is_asked);
   EXPECT_EQ(content(path), "0 0\n1 1\n");
   EXPECT_TRUE(document().is_modified());
@@ -267,6 +272,7 @@ TEST_F(Files, NeverLosesDisksOrPointsSilently) {
   EXPECT_FALSE(window().files().save_to(folder_.filePath("both.wpoff")));
   EXPECT_FALSE(QFile::exists(folder_.filePath("both.wpoff")));
   EXPECT_TRUE(window().files().save_part_to(folder_.filePath("part.wpoff"), "disks"));
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_FALSE(document().is_modified());
   EXPECT_EQ(content(folder_.filePath("part.wpoff")), "WPOFF 1 0 0\n5 5 1\n");
 }
@@ -281,6 +287,7 @@ TEST_F(Files, LandmarksAreShownAtOnceAndAreNoPartThatSavingWouldLose) {
   EXPECT_TRUE(shown("landmarks") && shown("witness-complex") && !shown("medial-axis"));
   window().editor().add_point({5, 5});
   trigger("save");
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_FALSE(window().isWindowModified());
   EXPECT_EQ(content(path), "0 0\n1 1\n3 1\n5 5\n");
   document().edit_inputs(before, "Without landmarks");

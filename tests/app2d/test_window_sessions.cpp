@@ -70,6 +70,7 @@ TEST_F(Window_sessions, ASavedSessionBringsEverythingBack) {
   const View_2 view = canvas().view();
   const QString path = folder_.filePath("all.mesecina");
   ASSERT_TRUE(window().files().save_session_to(path));
+  ASSERT_TRUE(wait_until_saved());
   EXPECT_FALSE(document().is_modified());
   EXPECT_TRUE(window().windowTitle().startsWith("all.mesecina[*]"));
   // A look is part of it.
@@ -107,6 +108,7 @@ TEST_F(Window_sessions, TheBundleInForceIsKnownUntilUndone) {
 
   const QString path = folder_.filePath("bundle.mesecina");
   ASSERT_TRUE(window().files().save_session_to(path));
+  ASSERT_TRUE(wait_until_saved());
   const Session saved = read_session_file(path.toStdString(), *make_registry_2());
   EXPECT_EQ(saved.bundle, (Session::Bundle_name{bundle(2), true}));
   trigger("undo");
@@ -143,6 +145,7 @@ TEST_F(Window_sessions, WhatIsToBeRecordedComesBack) {
   EXPECT_EQ(wish.sweeps, std::vector{sweep});
   const QString path = folder_.filePath("film.mesecina");
   ASSERT_TRUE(window().files().save_session_to(path));
+  ASSERT_TRUE(wait_until_saved());
   recording->panel().set_size({640, 480});
   recording->panel().set_source(Film_wish::Source::evolution);
 
@@ -161,12 +164,127 @@ TEST_F(Window_sessions, WhatIsToBeRecordedComesBack) {
   EXPECT_EQ(window().recording().wish().file, folder_.filePath("film-2.gif").toStdString());
 }
 
+TEST_F(Window_sessions, WhatIsEditedWhileItIsSavedIsNotSaved) {
+  change_everything();
+  const QString path = folder_.filePath("early.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  EXPECT_TRUE(window().files().is_saving());
+  document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{9, 9}}), "later");
+  ASSERT_TRUE(wait_until_saved());
+  EXPECT_EQ(read_session_file(path.toStdString(), *make_registry_2()).inputs.get(points_input)->size(), 3u);
+  EXPECT_TRUE(document().is_modified());
+  trigger("undo");
+  EXPECT_FALSE(document().is_modified());
+  EXPECT_TRUE(window().windowTitle().startsWith("early.mesecina[*]"));
+  // What was opened meanwhile keeps its name.
+  ASSERT_TRUE(window().files().save_session_to(folder_.filePath("late.mesecina")));
+  window().files().new_document();
+  ASSERT_TRUE(wait_until_saved());
+  EXPECT_TRUE(window().files().current_file().isEmpty());
+  EXPECT_TRUE(QFile::exists(folder_.filePath("late.mesecina")));
+}
+
+TEST_F(Window_sessions, AFileThatCannotBeWrittenIsToldAndStaysUnsaved) {
+  change_everything();
+  ASSERT_TRUE(window().files().save_session_to(folder_.filePath("none/all.mesecina")));
+  ASSERT_TRUE(wait_until_saved());
+  EXPECT_TRUE(document().is_modified());
+  ASSERT_EQ(window().messages().lines().size(), 1);
+  EXPECT_TRUE(window().messages().lines().front().contains("none/all.mesecina"));
+}
+
+TEST_F(Window_sessions, ClosingCutsNoSavingShort) {
+  keep();
+  change_everything();
+  std::vector<Point_2> many;
+  for (int i = 0; i < 100000; ++i) many.push_back({i + 0.1, 1.0 / (i + 1)});
+  document().edit_inputs(Inputs().with(points_input, many), "many");
+  const QString path = folder_.filePath("many.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(*read_session_file(path.toStdString(), *make_registry_2()).inputs.get(points_input), many);
+  ASSERT_EQ(kept(), 1u);
+  const Session scene = read_scene_folder(Scene_store(store_).kept().front().folder, *make_registry_2());
+  EXPECT_EQ(*scene.inputs.get(points_input), many);
+  EXPECT_EQ(scene.title, "many.mesecina");
+  EXPECT_FALSE(scene.is_modified);
+}
+
+TEST_F(Window_sessions, OfManyChangesTheNewestIsWritten) {
+  double x = 0;
+  std::size_t asked = 0;
+  Autosave autosave(Scene_store(store_), [&] {
+    ++asked;
+    Session session;
+    session.inputs = Inputs().with(points_input, std::vector<Point_2>{{x, 0}});
+    return session;
+  });
+  const auto written = [&] {
+    return read_scene_folder(autosave.folder(), *make_registry_2()).inputs.get(points_input)->front().x;
+  };
+  EXPECT_FALSE(autosave.is_busy());
+  for (int i = 0; i < 100; ++i) {
+    x = i;
+    autosave.touch();
+  }
+  EXPECT_TRUE(autosave.is_busy());
+  EXPECT_EQ(asked, 0u);
+  autosave.flush();
+  EXPECT_EQ(asked, 1u);
+  autosave.flush();
+  EXPECT_EQ(asked, 1u);
+  ASSERT_TRUE(wait_until([&] { return !autosave.is_busy(); }));
+  EXPECT_EQ(written(), 99);
+  x = 200;
+  autosave.touch();
+  autosave.close(true);
+  EXPECT_EQ(asked, 2u);
+  const auto kept = Scene_store(store_).kept();
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(read_scene_folder(kept[0].folder, *make_registry_2()).inputs.get(points_input)->front().x, 200);
+}
+
+TEST_F(Window_sessions, WhatIsAbandonedIsFoundAsAfterACrash) {
+  {
+    Session session;
+    session.inputs = Inputs().with(points_input, std::vector<Point_2>(300000, Point_2{1, 2}));
+    Autosave autosave(Scene_store(store_), [&] { return session; });
+    autosave.touch();
+    autosave.flush();
+    autosave.abandon();
+  }
+  ASSERT_TRUE(wait_until([&] { return !Scene_store(store_).crashed().empty(); }));
+  EXPECT_EQ(kept(), 0u);
+}
+
+TEST_F(Window_sessions, EndingAsksNobodyAndKeepsTheScene) {
+  qunsetenv("MESECINA_NO_PROMPT");
+  keep(true);
+  change_everything();
+  const Document_state state = document().state();
+  QSignalSpy closed(&window(), &Program_window::closed);
+  // A dialog that waits for an answer.
+  QTimer::singleShot(0, [&] { window().end(); });
+  trigger("open");
+  ASSERT_TRUE(wait_until([&] { return !closed.isEmpty(); }));
+  EXPECT_EQ(closed.count(), 1);
+  ASSERT_EQ(kept(), 1u);
+  EXPECT_TRUE(Scene_store(store_).crashed().empty());
+  open_window();
+  keep(true);
+  EXPECT_EQ(window().recovery_bar().offers(), 0u);
+  EXPECT_TRUE(same_data(document().inputs(), state.inputs));
+  qputenv("MESECINA_NO_PROMPT", "1");
+}
+
 TEST_F(Window_sessions, SavingGoesOnInTheFileOfTheSession) {
   change_everything();
   const QString path = folder_.filePath("all.mesecina");
   ASSERT_TRUE(window().files().save_to(path));
+  ASSERT_TRUE(wait_until_saved());
   document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{9, 9}}), "one");
   trigger("save");
+  ASSERT_TRUE(wait_until_saved());
   const Session session = read_session_file(path.toStdString(), *make_registry_2());
   EXPECT_EQ(session.inputs.get(points_input)->size(), 1u);
   EXPECT_EQ(std::get<double>(*session.settings.find("scale")), 1.7);
@@ -178,6 +296,7 @@ TEST_F(Window_sessions, ABadSessionChangesNothingAndSaysWhere) {
   const View_2 view = canvas().view();
   const QString path = folder_.filePath("bad.mesecina");
   ASSERT_TRUE(window().files().save_session_to(path));
+  ASSERT_TRUE(wait_until_saved());
   QFile file(path);
   ASSERT_TRUE(file.resize(file.size() / 2));
   open(path);

@@ -5,6 +5,7 @@
 
 #include <QPoint>
 #include <QTemporaryDir>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -35,6 +36,8 @@ class Window_fixture : public testing::Test {
   /// Runs the event loop until the condition holds; false after ten seconds.
   static bool wait_until(const std::function<bool()>& condition);
   bool wait_until_current(const char* layer);
+  /// Runs the event loop until everything that is being saved is in its files.
+  bool wait_until_saved() { return window_->files().finish_saving(std::chrono::seconds(10)); }
   QString write(const char* name, const QByteArray& text) const;
 
   std::unique_ptr<Main_window_2> window_;

@@ -328,6 +328,7 @@ TEST_F(Window_editing_3, TransformsAreOneStepAndSavedExactly) {
   window_->popover()->dismiss();
   const QString path = folder_.filePath("saved.woff");
   ASSERT_TRUE(window_->files().save_to(path));
+  ASSERT_TRUE(window_->files().finish_saving(std::chrono::seconds(10)));
   EXPECT_FALSE(window_->document().is_modified());
   const auto saved = balls();
   open({{path.toStdString()}, {"given-balls"}, {}});

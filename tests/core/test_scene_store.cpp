@@ -81,6 +81,15 @@ TEST_F(Scene_store_test, writes_only_what_is_new) {
   EXPECT_EQ(*back.inputs.get(outline_input), *session.inputs.get(outline_input));
 }
 
+TEST_F(Scene_store_test, inputs_of_earlier_versions_are_json) {
+  Running_scene running{Scene_store(root_)};
+  running.write(session_with(1));
+  std::ofstream(running.folder() / "input-points-9.json") << "[7, 8]";
+  std::ofstream(running.folder() / "scene.json") << R"({"format": "mesecina-session", "version": 1, "dimension": 2,)"
+                                                 << R"( "inputs": {"points": {"file": "input-points-9.json"}}})";
+  EXPECT_EQ(x_of(read_scene_folder(running.folder(), registry_)), 7);
+}
+
 TEST_F(Scene_store_test, those_who_live_are_left_alone) {
   const Scene_store store(root_);
   Running_scene one(store);
