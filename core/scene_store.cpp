@@ -49,14 +49,38 @@ class File_lock {
   int descriptor_;
 };
 
-std::string title_of(const fs::path& scene) {
+/// How many elements a list of the user's data has; what an input of another type is, counts as one.
+std::uint64_t count_of(const Inputs& inputs, std::string_view id) {
+  const auto size_of = [&]<class T>(Input_key<std::vector<T>>) -> std::uint64_t {
+    const auto list = inputs.get(Input_key<std::vector<T>>{id});
+    return list ? list->size() : 0;
+  };
+  if (const auto mesh = inputs.get(Input_key<Triangle_mesh_3>{id})) return mesh->triangles.size();
+  if (const auto outline = inputs.get(Input_key<Outline_2>{id})) return outline->rings.size();
+  const std::uint64_t size = size_of(points_input) + size_of(disks_input) + size_of(balls_input) + size_of(cloud_input);
+  return inputs.get(Input_key<Image>{id}) ? 1 : size;
+}
+
+/// What can be said of a scene without reading its inputs.
+Stored_scene description_of(const fs::path& scene) {
+  Stored_scene description;
+  description.folder = scene.parent_path();
   try {
     const auto json = nlohmann::json::parse(load_bytes(scene).text);
-    return json.value("title", std::string());
+    description.title = json.value("title", std::string());
+    description.file = json.value("file", std::string());
+    const auto layers = json.value("layers", nlohmann::json::array());
+    const auto inputs = json.value("inputs", nlohmann::json::object());
+    for (const auto& layer : layers)
+      if (layer.value("visible", true)) ++description.visible_layers;
+    for (const auto& input : inputs.items())
+      if (input.value().is_object() && input.value().contains("count"))
+        description.counts[input.key()] = input.value()["count"].get<std::uint64_t>();
   } catch (const std::exception&) {
     // A damaged scene is listed all the same; reading it says what is wrong.
-    return {};
+    return description;
   }
+  return description;
 }
 
 /// All folders in `folder` that hold a scene, the newest first.
@@ -68,9 +92,9 @@ std::vector<Stored_scene> scenes_in(const fs::path& folder) {
     std::error_code missing;
     const auto changed = fs::last_write_time(scene, missing);
     if (missing) continue;
-    scenes.push_back(
-        {it->path(), title_of(scene),
-         std::chrono::time_point_cast<std::chrono::system_clock::duration>(std::chrono::file_clock::to_sys(changed))});
+    scenes.push_back(description_of(scene));
+    scenes.back().changed =
+        std::chrono::time_point_cast<std::chrono::system_clock::duration>(std::chrono::file_clock::to_sys(changed));
   }
   std::ranges::sort(scenes, [](const Stored_scene& one, const Stored_scene& other) {
     return std::pair(one.changed, one.folder) > std::pair(other.changed, other.folder);
@@ -123,6 +147,10 @@ Session read_scene_folder(const fs::path& folder, const Registry& registry) {
   } catch (const std::invalid_argument& error) {
     throw File_error(scene, 0, error.what());
   }
+}
+
+bool is_same_scene(const Stored_scene& one, const Stored_scene& other) {
+  return one.file.empty() && other.file.empty() ? one.title == other.title : one.file == other.file;
 }
 
 std::vector<Stored_scene> Scene_store::crashed() const {
@@ -196,7 +224,8 @@ std::string Running_scene::write_input(const Inputs& inputs, std::string_view id
     write_file_durably(folder_ / name, [&](std::ostream& stream) { write_input_bytes(stream, inputs, id); });
   }
   used_[identity] = name;
-  return R"({"file": ")" + name + "\"}";
+  // How much there is, for lists of scenes.
+  return R"({"file": ")" + name + R"(", "count": )" + std::to_string(count_of(inputs, id)) + "}";
 }
 
 void Running_scene::remove_unused() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,9 +16,16 @@ namespace mesecina {
 /// same is written once.
 struct Stored_scene {
   std::filesystem::path folder;
-  std::string title;                              ///< of the session; empty for one without
-  std::chrono::system_clock::time_point changed;  ///< when it was written last
+  std::string title;                                 ///< of the session; empty for one without
+  std::chrono::system_clock::time_point changed;     ///< when it was written last
+  std::string file = {};                             ///< of the session; empty for one without
+  std::map<std::string, std::uint64_t> counts = {};  ///< of points, triangles, ... by the id of the input
+  std::size_t visible_layers = 0;
 };
+
+/// Whether both are states of what the user would call one scene: of the same file, or, where there is none, with the
+/// same title.
+bool is_same_scene(const Stored_scene& one, const Stored_scene& other);
 
 /// Reads a scene that was written by Running_scene. Throws File_error.
 Session read_scene_folder(const std::filesystem::path& folder, const Registry& registry);

@@ -23,19 +23,6 @@ std::optional<double> number_in(const QString& word) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
-std::optional<std::pair<int, int>> size_in(const QString& word) {
-  const QStringList parts = word.split(QLatin1Char('x'));
-  if (parts.size() != 2) return {};
-  constexpr int most_pixels = 32768;
-  bool is_width = false;
-  bool is_height = false;
-  const int width = parts[0].toInt(&is_width);
-  const int height = parts[1].toInt(&is_height);
-  const auto is_good = [](int pixels) { return pixels >= 1 && pixels <= most_pixels; };
-  if (!is_width || !is_height || !is_good(width) || !is_good(height)) return {};
-  return std::pair(width, height);
-}
-
 QString expected(const Parameter& parameter) {
   switch (parameter.kind) {
     case Parameter::Kind::number:
@@ -62,7 +49,7 @@ bool is_good(const Parameter& parameter, const QString& word) {
       return number && *number == std::floor(*number) && std::abs(*number) <= most && *number >= parameter.least;
     }
     case Parameter::Kind::size:
-      return size_in(word).has_value();
+      return pixels_in(word).has_value();
     default:
       return true;
   }
@@ -131,6 +118,19 @@ const char* kind_name(Parameter::Kind kind) {
 
 }  // namespace
 
+std::optional<std::pair<int, int>> pixels_in(const QString& word) {
+  const QStringList parts = word.split(QLatin1Char('x'));
+  if (parts.size() != 2) return {};
+  constexpr int most_pixels = 32768;
+  bool is_width = false;
+  bool is_height = false;
+  const int width = parts[0].toInt(&is_width);
+  const int height = parts[1].toInt(&is_height);
+  const auto is_good = [](int pixels) { return pixels >= 1 && pixels <= most_pixels; };
+  if (!is_width || !is_height || !is_good(width) || !is_good(height)) return {};
+  return std::pair(width, height);
+}
+
 double Arguments::number(std::size_t parameter, double otherwise) const {
   return has(parameter) ? number_in(word(parameter)).value_or(otherwise) : otherwise;
 }
@@ -139,7 +139,7 @@ int Arguments::whole(std::size_t parameter, int otherwise) const {
   return static_cast<int>(number(parameter, otherwise));
 }
 
-std::pair<int, int> Arguments::size(std::size_t parameter) const { return size_in(word(parameter)).value(); }
+std::pair<int, int> Arguments::size(std::size_t parameter) const { return pixels_in(word(parameter)).value(); }
 
 QString Command::arguments_text() const {
   QStringList texts;

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -93,6 +94,8 @@ class Commands {
 /// The words of a line: blanks separate, "..." and '...' keep words together, in "..." a backslash takes the next
 /// character as it is, a word that begins with # begins a comment. Throws Command_error for an open quotation.
 QStringList words_of_line(const QString& line);
+/// Width and height in "WxH", from 1 to 32768 pixels; nullopt for other words.
+std::optional<std::pair<int, int>> pixels_in(const QString& word);
 /// A word as words_of_line reads it back.
 QString quoted(const QString& word);
 

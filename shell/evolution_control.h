@@ -52,6 +52,8 @@ class Evolution_control : public QObject {
   void make_steps();
   /// One after the other, from the place that is shown. A failed one is told, and the others begin where it ended.
   void run(std::vector<Evolution_order> orders);
+  /// Steps are being made, or will be when others are.
+  bool is_making_steps() const { return evolver_.is_busy() || !orders_.empty(); }
 
   /// The next place; at the end of the track it is made.
   void forward();

@@ -39,6 +39,7 @@ struct Files::Order {
   bool is_added = false;
   bool is_example = false;
   bool is_first = false;
+  bool needs_session = false;
 };
 
 struct Files::Loaded {
@@ -72,6 +73,13 @@ void Files::open(const QStringList& paths, bool is_added) {
   if (paths.isEmpty()) return;
   remember_folder(paths.front());
   read({paths, is_added ? tr("Add %1").arg(name_of(paths)) : tr("Open %1").arg(name_of(paths)), is_added});
+}
+
+void Files::open_session(const QString& path) {
+  remember_folder(path);
+  Order order{{path}, tr("Open %1").arg(name_of({path}))};
+  order.needs_session = true;
+  read(order);
 }
 
 void Files::open_first(const QStringList& paths) {
@@ -120,6 +128,12 @@ void Files::take(const Loaded& result) {
   for (const QString& error : result.errors) Q_EMIT told(Message_bar::Kind::error, error);
   for (const QString& warning : result.warnings) Q_EMIT told(Message_bar::Kind::warning, warning);
   if (result.good.isEmpty()) return;
+  if (result.order.needs_session && !result.session) {
+    Q_EMIT told(Message_bar::Kind::error, tr("%1: expected a session, or a picture with one within, found other data; "
+                                             "open it as a file of data")
+                                              .arg(result.good.front()));
+    return;
+  }
   if (result.session && scene_.state) {
     take_session(result);
     return;

@@ -57,6 +57,8 @@ class Files : public QObject {
   /// Replaces the inputs by what the files hold, or adds it to them: one step that can be undone. A bad file changes
   /// nothing and is told in one line.
   void open(const QStringList& paths, bool is_added);
+  /// Replaces everything by what a session, or a picture with one within, holds; another file is told as an error.
+  void open_session(const QString& path);
   /// As open(), for the files that a window starts with: there is nothing before them that one could go back to, unless
   /// the user has begun to edit meanwhile.
   void open_first(const QStringList& paths);

@@ -110,6 +110,8 @@ class Program_window : public QMainWindow {
   /// Files are being read or written.
   bool has_file_jobs() const { return common_files_->jobs().is_busy() || common_files_->is_saving(); }
   /// That is so, or something visible is not computed yet, or steps are being made.
+  /// A film is recorded that comes to its end by itself, or is as soon as the steps for it are made.
+  bool is_filming() const;
   bool is_busy() const { return has_file_jobs() || computation_.is_busy() || evolution_.evolver().is_busy(); }
   Message_bar& messages() { return *messages_; }
   Settings_panel& settings_panel() { return *settings_panel_; }
@@ -260,6 +262,8 @@ class Program_window : public QMainWindow {
   void try_to_end();
   void make_bundle_commands();
   void make_evolution_commands();
+  void make_recording_commands();
+  void record_when_steps_are_made();
   QStringList bundle_names() const;
   void open_palette();
   void add_evolution_action(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
@@ -283,8 +287,8 @@ class Program_window : public QMainWindow {
   bool reopens_scenes() const;
   void show_session(const Session& session);
   void show_stored_scene(const QString& folder, const QString& step);
-  void recover(const QString& folder);
-  void keep_for_later(const QString& folder);
+  void recover(const QStringList& folders);
+  void keep_for_later(const QStringList& folders);
   void fill_earlier_scenes(QMenu* menu);
   bool may_lose_film();
   void export_picture();
@@ -306,6 +310,7 @@ class Program_window : public QMainWindow {
   QDockWidget* record_dock_ = nullptr;
   Picture_wish picture_wish_;  ///< the last; without a size there was none
   bool closes_after_film_ = false;
+  std::optional<Film_wish> film_of_steps_;  ///< to be recorded when they are made
   QLabel* facts_ = nullptr;
   QPointer<Command_palette> palette_;
   QPointer<Shortcut_editor> shortcut_editor_;

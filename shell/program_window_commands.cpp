@@ -17,6 +17,7 @@ void Program_window::make_commands() {
   add_window_commands(*commands_, {*registry_, *formats_, document_, computation_, *common_files_, *this});
   make_bundle_commands();
   if (!registry_->evolutions().empty()) make_evolution_commands();
+  make_recording_commands();
 }
 
 void Program_window::make_evolution_commands() {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QClipboard>
+#include <QDir>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QImage>
 #include <QMenu>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <utility>
 
 #include "shell/animation_popover.h"
 #include "shell/program_window.h"
+#include "shell/recording_commands.h"
 
 namespace mesecina {
 
@@ -154,6 +158,41 @@ void Program_window::open_animation(const std::string& setting, double from, dou
   open_popover(open_animation_popover(*registry_, recording_->sweep(setting, from, to), recording_->animation(),
                                       recording_->panel().request().frames_per_second, recording_->player(),
                                       common_canvas_, std::move(calls)));
+}
+
+bool Program_window::is_filming() const { return film_of_steps_ || recording_->ends_by_itself(); }
+
+void Program_window::make_recording_commands() {
+  const auto record = [this](const Record_order& order) {
+    if (!can_paint()) throw Command_error(tr("record: there is nothing that paints here"));
+    if (is_filming() || recording_->recorder().is_active())
+      throw Command_error(tr("record: a film is being recorded already; record-film ends it"));
+    if (order.evolutions.empty() && order.wish.source == Film_wish::Source::evolution && document_.step_count() == 0)
+      throw Command_error(tr("record: expected steps of an evolution, found none; add --evolve ID=STEPS"));
+    // As --record does.
+    QDir().mkpath(QFileInfo(QString::fromStdString(order.wish.file)).path());
+    if (order.evolutions.empty()) {
+      recording_->record_wish(order.wish);
+      return;
+    }
+    film_of_steps_ = order.wish;
+    evolution_.run(order.evolutions);
+    record_when_steps_are_made();
+  };
+  commands_->add(record_command(
+      *registry_, [this] { return recording_->wish(); }, record));
+  connect(&evolution_.evolver(), &Evolver::busy_changed, this, &Program_window::record_when_steps_are_made,
+          Qt::QueuedConnection);
+}
+
+void Program_window::record_when_steps_are_made() {
+  if (!film_of_steps_ || evolution_.is_making_steps()) return;
+  const Film_wish wish = *std::exchange(film_of_steps_, std::nullopt);
+  if (document_.step_count() > 0) {
+    recording_->record_wish(wish);
+  } else {
+    messages_->add(Message_bar::Kind::error, tr("record: no step was made, so there is nothing to film"));
+  }
 }
 
 }  // namespace mesecina

@@ -127,20 +127,23 @@ void Program_window::show_stored_scene(const QString& folder, const QString& ste
                             });
 }
 
-void Program_window::recover(const QString& folder) {
+void Program_window::recover(const QStringList& folders) {
   try {
-    const auto place = store_->keep(folder.toStdString());
+    const auto place = store_->keep(folders.front().toStdString());
     show_stored_scene(QString::fromStdString(place.string()), tr("Recover a scene"));
   } catch (const std::exception& error) {
     messages_->add(Message_bar::Kind::error, QString::fromUtf8(error.what()));
   }
+  keep_for_later(folders.mid(1));
 }
 
-void Program_window::keep_for_later(const QString& folder) {
-  try {
-    store_->keep(folder.toStdString());
-  } catch (const std::exception& error) {
-    messages_->add(Message_bar::Kind::error, QString::fromUtf8(error.what()));
+void Program_window::keep_for_later(const QStringList& folders) {
+  for (const QString& folder : folders) {
+    try {
+      store_->keep(folder.toStdString());
+    } catch (const std::exception& error) {
+      messages_->add(Message_bar::Kind::error, QString::fromUtf8(error.what()));
+    }
   }
 }
 

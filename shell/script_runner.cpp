@@ -42,7 +42,7 @@ void Script_runner::step() {
     refuse_dialog();
     return;
   }
-  if (window_.has_file_jobs() || window_.evolution().evolver().is_busy()) return;
+  if (window_.has_file_jobs() || window_.evolution().evolver().is_busy() || window_.is_filming()) return;
   if (!error_.isEmpty()) {
     finish(tr("%1:%2: %3").arg(name_).arg(line_).arg(error_), false);
     return;

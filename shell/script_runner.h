@@ -13,7 +13,8 @@ namespace mesecina {
 class Program_window;
 
 /// Carries out the lines of a script in a window, one after the other, each when what it needs is there: files are read
-/// and written before the next line begins, and what needs pictures waits until they are computed.
+/// and written before the next line begins, films that come to an end by themselves are complete, and what needs
+/// pictures waits until they are computed.
 ///
 /// Stops at the first line that cannot be carried out: because it is no command, because the window shows an error, or
 /// because it asks the user something in a dialog.

@@ -82,6 +82,28 @@ void add_file_commands(Commands& commands, const Command_targets& targets) {
                 group,
                 {{QStringLiteral("FILE"), tr("where to")}},
                 [&files](const Arguments& arguments) { files.save_to(arguments.word(0)); }});
+  commands.add({QStringLiteral("open-session"),
+                tr("Open a session"),
+                tr("Replaces everything by what a session, or a picture with one within, holds"),
+                group,
+                {{QStringLiteral("FILE"), tr("a session, or a picture of this program")}},
+                [&files](const Arguments& arguments) {
+                  check_that_it_exists(arguments.word(0));
+                  files.open_session(arguments.word(0));
+                }});
+  commands.add({QStringLiteral("save-session"),
+                tr("Save a session"),
+                tr("Saves everything into one file: data, layers, settings, view, steps, what is recorded"),
+                group,
+                {{QStringLiteral("FILE"), tr("where to, with the extension mesecina")}},
+                [&files](const Arguments& arguments) {
+                  const QString& path = arguments.word(0);
+                  if (QFileInfo(path).suffix().toLower().toStdString() != session_extension)
+                    throw Command_error(
+                        tr("save-session: expected a name that ends in .mesecina, found '%1'").arg(path));
+                  files.save_session_to(path);
+                },
+                true});
   const auto add_part = [&](std::string_view input) {
     const QString id = QStringLiteral("save-") + QLatin1String(input.data(), static_cast<qsizetype>(input.size()));
     const Actions::Entry* action = commands.actions().find(id);

@@ -116,6 +116,16 @@ void Window_recording::store() {
   known.set_value(QStringLiteral("record/transparent"), request.is_transparent);
 }
 
+bool Window_recording::ends_by_itself() const {
+  return recorder_.is_active() && (source_ != Film_wish::Source::changes || recorder_.is_finishing());
+}
+
+void Window_recording::record_wish(const Film_wish& wish) {
+  show(wish);
+  panel_->set_file(QString::fromStdString(wish.file));
+  record();
+}
+
 Film_wish Window_recording::wish() const {
   const Film_request request = panel_->request();
   Film_wish wish{panel_->source(),

@@ -42,6 +42,10 @@ class Window_recording : public QObject {
                    Computation& computation, Window window, QWidget* parent);
 
   Record_panel& panel() { return *panel_; }
+  /// There is a film, or is about to be one, that comes to its end without anybody doing something.
+  bool ends_by_itself() const;
+  /// Records what is wished into exactly this file, also over one that is there. What is wrong is told.
+  void record_wish(const Film_wish& wish);
   Film_recorder& recorder() { return recorder_; }
   Frame_player& player() { return player_; }
   /// A red dot with the number of frames, while it records; for the status bar.

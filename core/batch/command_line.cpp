@@ -484,6 +484,13 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
     }
     result.recording = read_recording(recording, result, registry, formats);
     if (result.recording && app.count("--formats") == 0) result.formats.clear();
+    if (result.nogui && result.session && result.layers.empty()) {
+      const std::string nothing = "--session " + session +
+                                  ": no layer is visible there, so there is nothing to write; add --layers ID,ID "
+                                  "(--list layers) or --bundle NAME";
+      if (!result.stats) throw Usage_error(nothing);
+      result.warnings.push_back(nothing);
+    }
     if (result.nogui && result.script) throw Usage_error("--script needs the window; leave out --nogui");
     if (result.nogui && result.files.empty()) throw Usage_error("--nogui needs at least one input file");
   } catch (const CLI::ParseError& error) {

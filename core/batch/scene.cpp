@@ -6,7 +6,7 @@
 namespace mesecina {
 
 std::vector<std::string> shown_layers(const Registry& registry, const Command_line& command_line) {
-  if (!command_line.layers.empty()) return command_line.layers;
+  if (!command_line.layers.empty() || command_line.session) return command_line.layers;
   std::vector<std::string> ids;
   for (const Layer_spec& layer : registry.layers())
     if (layer.style.visible) ids.push_back(layer.id);

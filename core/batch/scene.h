@@ -10,7 +10,7 @@
 
 namespace mesecina {
 
-/// The layers of the command line or, where it has none, those visible by default.
+/// The layers of the command line or, where it has neither layers nor a session, those visible by default.
 std::vector<std::string> shown_layers(const Registry& registry, const Command_line& command_line);
 
 /// The layers that a picture shows: shown_layers, each once, in the order that the command line asks for and with the

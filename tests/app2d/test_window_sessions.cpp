@@ -2,7 +2,9 @@
 #include <signal.h>
 
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QProcess>
 #include <QPushButton>
 #include <QTimer>
@@ -351,18 +353,40 @@ TEST_F(Window_sessions, WhatACrashLeavesIsOfferedAndShown) {
   EXPECT_FALSE(same_data(document().inputs(), state.inputs));
 }
 
-TEST_F(Window_sessions, DecliningKeepsAndSeveralAreOffered) {
-  for (int i = 0; i < 2; ++i) {
+TEST_F(Window_sessions, StatesOfOneSceneAreOneOfferAndOthersAnother) {
+  const auto crash_with = [&](double x) {
     keep();
-    document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{double(i), 9}}), "one");
+    document().edit_inputs(Inputs().with(points_input, std::vector<Point_2>{{x, 9}, {1, 2}}), "two");
     wait_written();
     crash();
-  }
+  };
+  crash_with(0);
+  crash_with(1);
+  crash_with(2);
+  open_window();
+  window().files().new_document();
+  crash_with(3);
   keep();
-  EXPECT_EQ(window().recovery_bar().offers(), 2u);
-  for (QPushButton* button : window().recovery_bar().findChildren<QPushButton*>("decline")) button->click();
-  EXPECT_EQ(window().recovery_bar().offers(), 0u);
-  EXPECT_EQ(kept(), 2u);
+  auto& bar = window().recovery_bar();
+  ASSERT_EQ(bar.offers(), 2u);
+  const auto labels = bar.findChildren<QLabel*>();
+  ASSERT_EQ(labels.size(), 2);
+  EXPECT_TRUE(labels[0]->text().contains("Untitled (2 points, ")) << labels[0]->text().toStdString();
+  EXPECT_TRUE(labels[0]->text().contains("layers), today ")) << labels[0]->text().toStdString();
+  EXPECT_TRUE(labels[1]->text().startsWith("And: Example (2 points, ")) << labels[1]->text().toStdString();
+  const auto older = bar.findChildren<QPushButton*>("older");
+  ASSERT_EQ(older.size(), 1);
+  EXPECT_EQ(older[0]->text(), "Older (2)");
+  ASSERT_EQ(older[0]->menu()->actions().size(), 2);
+  // The oldest state; the others are kept.
+  older[0]->menu()->actions().back()->trigger();
+  ASSERT_TRUE(wait_until([&] { return !window().files().jobs().is_busy(); }));
+  EXPECT_EQ(points().front().x, 0);
+  EXPECT_EQ(bar.offers(), 1u);
+  EXPECT_EQ(kept(), 3u);
+  for (QPushButton* button : bar.findChildren<QPushButton*>("decline")) button->click();
+  EXPECT_EQ(bar.offers(), 0u);
+  EXPECT_EQ(kept(), 4u);
   EXPECT_TRUE(Scene_store(store_).crashed().empty());
 }
 

@@ -113,3 +113,17 @@ expect_in stderr 'nothing moves'
 run --nogui points.xy --session evolution.mesecina --record none/%02d.png
 expect_status 2
 expect_in stderr 'nothing moves'
+
+# Where no layer is visible there is nothing to write, which nobody means; statistics have the counts all the same.
+jq '.layers[].visible = false' scene.mesecina >hidden.mesecina
+run --nogui --session hidden.mesecina --formats svg --output hidden
+expect_status 2
+expect_in stderr 'hidden.mesecina: no layer is visible there'
+expect_in stderr '--layers'
+expect_no_file hidden
+succeed --nogui --session hidden.mesecina --stats hidden.jsonl --formats json --output hidden
+expect_in stderr 'no layer is visible there'
+expect_json hidden.jsonl '.[0].counts.points == 5 and (.[0].layers | length == 0)'
+succeed --nogui --session hidden.mesecina --layers points --formats json --output hidden
+expect_file hidden/hidden.points.json
+expect_not_in stderr 'no layer is visible'

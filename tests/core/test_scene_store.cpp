@@ -81,6 +81,37 @@ TEST_F(Scene_store_test, writes_only_what_is_new) {
   EXPECT_EQ(*back.inputs.get(outline_input), *session.inputs.get(outline_input));
 }
 
+TEST_F(Scene_store_test, what_a_scene_holds_is_known_without_its_inputs) {
+  const Scene_store store(root_);
+  Session session = session_with(1);
+  session.file = "/a/points.xy";
+  session.inputs = session.inputs.with(mesh_input, Triangle_mesh_3{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}})
+                       .with(image_input, Image{1, 1, {1, 2, 3, 4}, {}, 1})
+                       .with(balls_input, std::vector<Ball_3>(7));
+  Style shown;
+  shown.visible = true;
+  session.layers = {{"one", shown}, {"other", {}}};
+  {
+    Running_scene running(store);
+    running.write(session);
+    running.close(true);
+  }
+  const auto kept = store.kept();
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].file, "/a/points.xy");
+  EXPECT_EQ(kept[0].visible_layers, 1u);
+  EXPECT_EQ(kept[0].counts, (std::map<std::string, std::uint64_t>{
+                                {"points", 1}, {"outline", 1}, {"mesh", 1}, {"image", 1}, {"balls", 7}}));
+  EXPECT_EQ(*read_scene_folder(kept[0].folder, registry_).inputs.get(balls_input), std::vector<Ball_3>(7));
+  Stored_scene other = kept[0];
+  other.title = "renamed";
+  EXPECT_TRUE(is_same_scene(kept[0], other));
+  other.file = "/b/points.xy";
+  EXPECT_FALSE(is_same_scene(kept[0], other));
+  EXPECT_TRUE(is_same_scene({"a", "Example", {}}, {"b", "Example", {}}));
+  EXPECT_FALSE(is_same_scene({"a", "Example", {}}, {"b", "", {}}));
+}
+
 TEST_F(Scene_store_test, inputs_of_earlier_versions_are_json) {
   Running_scene running{Scene_store(root_)};
   running.write(session_with(1));
@@ -88,6 +119,29 @@ TEST_F(Scene_store_test, inputs_of_earlier_versions_are_json) {
   std::ofstream(running.folder() / "scene.json") << R"({"format": "mesecina-session", "version": 1, "dimension": 2,)"
                                                  << R"( "inputs": {"points": {"file": "input-points-9.json"}}})";
   EXPECT_EQ(x_of(read_scene_folder(running.folder(), registry_)), 7);
+}
+
+TEST_F(Scene_store_test, what_cannot_be_written_leaves_the_scene_before) {
+  Running_scene running{Scene_store(root_)};
+  running.write(session_with(1));
+  // No name is left for the next scene, as on a disk that is full when its inputs are written.
+  constexpr int most_attempts = 1000;
+  for (int i = 0; i < most_attempts; ++i) std::ofstream(running.folder() / ("scene.json.part" + std::to_string(i)));
+  EXPECT_THROW(running.write(session_with(2)), File_error);
+  EXPECT_EQ(x_of(read_scene_folder(running.folder(), registry_)), 1);
+  for (int i = 0; i < most_attempts; ++i) fs::remove(running.folder() / ("scene.json.part" + std::to_string(i)));
+  running.write(session_with(3));
+  EXPECT_EQ(x_of(read_scene_folder(running.folder(), registry_)), 3);
+  EXPECT_EQ(files_in(running.folder()).size(), 4u);
+}
+
+TEST_F(Scene_store_test, other_data_at_the_place_of_the_last_is_written) {
+  Running_scene running{Scene_store(root_)};
+  // Memory that is given back is soon used again.
+  for (int i = 0; i < 100; ++i) {
+    running.write(session_with(i));
+    ASSERT_EQ(x_of(read_scene_folder(running.folder(), registry_)), i);
+  }
 }
 
 TEST_F(Scene_store_test, those_who_live_are_left_alone) {
