@@ -98,6 +98,12 @@ void Files::new_document() {
 }
 
 void Files::read(const Order& order) {
+  if (is_saving()) {
+    // What is being written may be what is to be read.
+    connect(
+        &saving_, &Background_jobs::idle, this, [this, order] { read(order); }, Qt::SingleShotConnection);
+    return;
+  }
   jobs_.run(tr("Reading %1").arg(name_of(order.paths)),
             [this, formats = formats_, appended = kinds_.appended, order]() -> std::function<void()> {
               Loaded loaded;

@@ -85,6 +85,19 @@ TEST_F(Files, SavesWhatItReadExactly) {
   EXPECT_EQ(points(), read);
 }
 
+TEST_F(Files, WhatIsBeingSavedIsReadWhenItIsThere) {
+  // Large enough to be written for longer than opening takes to begin.
+  std::vector<Point_2> many;
+  for (int i = 0; i < 50'000; ++i) many.push_back({i / 3.0, i / 7.0});
+  drop({write("in.xy", "0 0\n1 1\n")});
+  document().edit_inputs(Inputs().with(points_input, many), "points");
+  const QString path = write("out.xy", "9 9\n");
+  ASSERT_TRUE(window().files().save_to(path));
+  window().files().open({path}, false);
+  EXPECT_TRUE(wait_until([&] { return points().size() != many.size() || document().history().count() > 2; }));
+  EXPECT_EQ(points(), many);
+}
+
 TEST_F(Files, SaveWritesTheFileOfTheDocument) {
   const QString path = write("in.xy", "0 0\n1 1\n");
   drop({path});
