@@ -12,15 +12,19 @@ namespace mesecina {
 
 namespace {
 
-/// Where the handler writes to: nothing else reaches it. Signals may come to any thread.
-std::atomic<int> handler_end = -1;
 static_assert(std::atomic<int>::is_always_lock_free);
+
+/// Where the handler writes to: nothing else reaches it. Signals may come to any thread.
+std::atomic<int>& handler_end() {
+  static constinit std::atomic<int> end = -1;
+  return end;
+}
 
 void tell(int) {
   const int error = errno;
   const char byte = 0;
   // A full pipe has told already.
-  [[maybe_unused]] const ssize_t written = write(handler_end, &byte, sizeof byte);
+  [[maybe_unused]] const ssize_t written = write(handler_end(), &byte, sizeof byte);
   errno = error;
 }
 
@@ -28,7 +32,7 @@ void tell(int) {
 
 Ending_signals::Ending_signals(QObject* parent) : QObject(parent) {
   if (pipe2(ends_.data(), O_NONBLOCK | O_CLOEXEC) != 0) return;
-  handler_end = ends_[1];
+  handler_end() = ends_[1];
   notifier_ = new QSocketNotifier(ends_[0], QSocketNotifier::Read, this);
   connect(notifier_, &QSocketNotifier::activated, this, [this] {
     notifier_->setEnabled(false);
@@ -50,7 +54,7 @@ Ending_signals::~Ending_signals() {
   if (!notifier_) return;
   for (std::size_t i = 0; i < kinds.size(); ++i) sigaction(kinds[i], &before_[i], nullptr);
   delete notifier_;
-  handler_end = -1;
+  handler_end() = -1;
   for (const int end : ends_) close(end);
 }
 
