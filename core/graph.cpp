@@ -300,13 +300,15 @@ Element_description Graph::describe(std::string_view layer_id, std::size_t eleme
 Outcome<Evolution_state> Graph::evolve(std::string_view evolution_id, std::uint64_t step, Progress& progress) {
   const Evolution_spec* spec = registry().find_evolution(evolution_id);
   if (!spec) throw std::out_of_range("no evolution '" + std::string(evolution_id) + "'");
+  const Evolution_state before{state_->inputs, state_->settings};
   state_->progress = &progress;
   progress.check();
   progress.begin_stage(evolution_id);
   Context::Frame frame{nullptr, 0, evolution_id};
   Context context(*this, frame);
   try {
-    return {std::make_shared<const Evolution_state>(spec->step(context, {state_->inputs, state_->settings}, step)), {}};
+    if (std::string reason = why_unfit(*spec, before); !reason.empty()) return {nullptr, std::move(reason)};
+    return {std::make_shared<const Evolution_state>(spec->step(context, before, step)), {}};
   } catch (const Cancelled&) {
     throw;
   } catch (const Unavailable& unavailable) {

@@ -29,6 +29,10 @@ double as_number(const Setting_value& value) {
 
 }  // namespace
 
+std::string why_unfit(const Evolution_spec& evolution, const Evolution_state& state) {
+  return evolution.needs.why_not ? evolution.needs.why_not(state) : std::string();
+}
+
 void Registry::begin_module(Module_spec module) { modules_.push_back(std::move(module)); }
 
 void Registry::add(Structure_spec spec) {

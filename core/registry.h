@@ -75,16 +75,29 @@ struct Evolution_state {
 
 /// A change of the data that can be repeated: every step makes a new state of the last one. Steps are pure: the same
 /// state, and the same number of the step, give the same next state.
+/// What an evolution needs of the data, which can be told before anything is computed.
+struct Evolution_needs {
+  std::string what;  ///< "points along a curve, or an outline"; completes "needs". Empty: it starts from anything
+  /// Optional: why no step can start from the state, one line for the user. Empty where one may, though what is
+  /// computed in the step can still say otherwise. Its time must not grow with the data.
+  std::function<std::string(const Evolution_state&)> why_not;
+};
+
 struct Evolution_spec {
   std::string id;                     ///< kebab-case, unique
   std::string label;                  ///< a few words
   std::string help;                   ///< what a step does, and the paper
   std::vector<std::string> settings;  ///< ids of those that a step reads, for the window
-  /// The state after step number `step` (1 for the first). The context has the structures, inputs and settings of the
-  /// state before, which is also `before`. Throws Unavailable where there is nothing to change; a state that equals
-  /// `before` (the same inputs by identity and the same settings) is the end of the evolution.
+  Evolution_needs needs;
+  /// Called only where needs.why_not says nothing. The state after step number `step` (1 for the first). The context
+  /// has the structures, inputs and settings of the state before, which is also `before`. Throws Unavailable where
+  /// there is nothing to change; a state that equals `before` (the same inputs by identity and the same settings) is
+  /// the end of the evolution.
   std::function<Evolution_state(Context&, const Evolution_state& before, std::uint64_t step)> step;
 };
+
+/// Why the evolution does not suit the state, as Evolution_needs::why_not; empty where it does.
+std::string why_unfit(const Evolution_spec& evolution, const Evolution_state& state);
 
 struct Module_spec {
   std::string id;

@@ -65,6 +65,11 @@ void Bundle_store::save() {
     QFile::remove(file_);
     return;
   }
+  if (file_.isEmpty()) {
+    Q_EMIT failed(
+        tr("The bundles are kept only until the program ends: set HOME or XDG_DATA_HOME to where they are to be"));
+    return;
+  }
   QDir().mkpath(QFileInfo(file_).absolutePath());
   QSaveFile file(file_);
   const std::string text = bundles_to_text(bundles_, *registry_);

@@ -17,6 +17,7 @@ namespace mesecina {
 class Bundle_store : public QObject {
   Q_OBJECT
  public:
+  /// file: see user_bundle_file; where it is empty the list lasts as long as the program.
   Bundle_store(std::shared_ptr<const Registry> registry, QUndoStack& history, QString file, QObject* parent = nullptr);
 
   const std::vector<Bundle>& bundles() const { return bundles_; }

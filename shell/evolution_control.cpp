@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/evolution_needs.h"
 #include "core/help_text.h"
 
 namespace mesecina {

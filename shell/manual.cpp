@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "core/batch/command_line.h"
-#include "core/evolution_needs.h"
 #include "core/help_text.h"
 #include "layers/color_map.h"
 
@@ -216,11 +215,11 @@ void Manual::add_evolutions() {
     for (const std::string& id : spec.settings)
       settings << QStringLiteral("<a href=\"setting:%1\">%1</a>").arg(escaped(id));
     const QString id = QString::fromStdString(spec.id);
-    const Evolution_needs* needs = needs_of(spec);
-    body +=
-        entry(QStringLiteral("evolution"), id, QString::fromStdString(spec.label),
-              (needs ? tr("Needs %1.").arg(escaped(needs->what)) + QLatin1Char(' ') : QString()) + help_of(spec.help) +
-                  (settings.isEmpty() ? QString() : tr(" Settings: %1.").arg(settings.join(QStringLiteral(", ")))));
+    const std::string& needs = spec.needs.what;
+    body += entry(QStringLiteral("evolution"), id, QString::fromStdString(spec.label),
+                  (needs.empty() ? QString() : tr("Needs %1.").arg(escaped(needs)) + QLatin1Char(' ')) +
+                      help_of(spec.help) +
+                      (settings.isEmpty() ? QString() : tr(" Settings: %1.").arg(settings.join(QStringLiteral(", ")))));
     anchors_[QStringLiteral("evolution:") + id] = QStringLiteral("evolutions-list");
   }
   add_page(QStringLiteral("evolutions-list"), tr("All evolutions"), body);

@@ -5,12 +5,12 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSaveFile>
-#include <QStandardPaths>
 #include <algorithm>
 #include <exception>
 #include <utility>
 
 #include "bundles/bundle_panel.h"
+#include "core/batch/bundle_library.h"
 #include "core/batch/bundle_option.h"
 #include "shell/actions.h"
 #include "shell/document.h"
@@ -20,11 +20,6 @@
 namespace mesecina {
 
 namespace {
-
-QString list_file(const QString& program) {
-  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-         QStringLiteral("/mesecina/%1-bundles.json").arg(program);
-}
 
 class Background_step : public QUndoCommand {
  public:
@@ -49,7 +44,7 @@ Window_bundles::Window_bundles(std::shared_ptr<const Registry> registry, Documen
       registry_(std::move(registry)),
       document_(document),
       messages_(messages),
-      store_(registry_, document.history(), list_file(program)),
+      store_(registry_, document.history(), QString::fromStdString(user_bundle_file(program.toStdString()).string())),
       panel_(new Bundle_panel(parent)) {
   const QString reason = store_.load();
   if (!reason.isEmpty()) messages_.add(Message_bar::Kind::warning, reason);

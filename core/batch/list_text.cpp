@@ -4,7 +4,6 @@
 #include "core/batch/bundle_library.h"
 #include "core/batch/command_line.h"
 #include "core/bundle.h"
-#include "core/evolution_needs.h"
 #include "core/formats/number.h"
 #include "core/help_text.h"
 
@@ -53,10 +52,9 @@ Json list_settings(const Registry& registry) {
 Json list_evolutions(const Registry& registry) {
   Json list = Json::array();
   for (const Evolution_spec& evolution : registry.evolutions()) {
-    const Evolution_needs* needs = needs_of(evolution);
     list.push_back({{"id", evolution.id},
                     {"label", evolution.label},
-                    {"needs", needs ? needs->what : std::string()},
+                    {"needs", evolution.needs.what},
                     {"settings", evolution.settings},
                     {"help", with_ids(evolution.help)}});
   }
@@ -142,9 +140,9 @@ std::string list_text(const std::string& what, bool as_json, const Registry& reg
     text = bundles_text(read_bundle_library(user_bundles, registry));
   } else if (what == "evolutions") {
     for (const Evolution_spec& evolution : registry.evolutions()) {
-      const Evolution_needs* needs = needs_of(evolution);
-      text += padded(evolution.id, 22) + (needs ? "Needs " + needs->what + ". " : std::string()) +
-              with_ids(evolution.help) + "\n";
+      const std::string& needs = evolution.needs.what;
+      text += padded(evolution.id, 22) + (needs.empty() ? needs : "Needs " + needs + ". ") + with_ids(evolution.help) +
+              "\n";
     }
   } else {
     for (const Reader& reader : formats.readers) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evolution_needs.h"
+#include "core/registry.h"
 
 namespace mesecina {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/crust_2/module.h"
 #include "geometries/delaunay_2/module.h"
@@ -163,7 +162,8 @@ Evolution_spec smoothing_2() {
       "{smoothing-keeps-size} the curve does not shrink. [G. Taubin: A signal processing approach to fair surface "
       "design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
-  evolution.step = needing({needed_curve, why_no_curve}, smooth);
+  evolution.needs = {needed_curve, why_no_curve};
+  evolution.step = smooth;
   return evolution;
 }
 
@@ -177,7 +177,8 @@ Evolution_spec subdivision_2() {
       "a "
       "smooth curve, the cubic B-spline. [E. Catmull, J. Clark: Recursively generated B-spline surfaces on arbitrary "
       "topological meshes, 1978]";
-  evolution.step = needing({needed_curve, why_no_curve}, subdivide);
+  evolution.needs = {needed_curve, why_no_curve};
+  evolution.step = subdivide;
   return evolution;
 }
 
@@ -191,7 +192,8 @@ Evolution_spec noise_2() {
       "distance to either side; the center of a disk by up to {noise-amplitude} times its radius in x and in y. Other "
       "points stay. The same {evolution-seed} gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
-  evolution.step = needing({"points along a curve, an outline, or disks", why_no_curve_or_disks}, add_noise);
+  evolution.needs = {"points along a curve, an outline, or disks", why_no_curve_or_disks};
+  evolution.step = add_noise;
   return evolution;
 }
 

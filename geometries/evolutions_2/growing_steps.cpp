@@ -64,9 +64,10 @@ Evolution_spec growing_2() {
       std::string("Each step makes all disks larger by {growing-step} percent of the radius that they had at first.") +
       which_disks + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
-  evolution.step = needing(needed_disks_2(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.needs = needed_disks_2();
+  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, context.setting(growing_step_setting), step);
-  });
+  };
   return evolution;
 }
 
@@ -79,9 +80,10 @@ Evolution_spec shrinking_2() {
                        "first; ends before nothing is left.") +
                    which_disks;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_setting.id)};
-  evolution.step = needing(needed_disks_2(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.needs = needed_disks_2();
+  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, -context.setting(growing_step_setting), step);
-  });
+  };
   return evolution;
 }
 
@@ -97,7 +99,8 @@ Evolution_spec stepped_growing_2() {
       "2010, "
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(scale_axis_min_angle_setting.id)};
-  evolution.step = needing(needed_disks_2(), grow_medial_disks);
+  evolution.needs = needed_disks_2();
+  evolution.step = grow_medial_disks;
   return evolution;
 }
 

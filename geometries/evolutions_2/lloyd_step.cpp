@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/evolutions_2/evolutions.h"
 #include "geometries/evolutions_2/lloyd_2.h"
@@ -62,7 +61,8 @@ Evolution_spec lloyd_2() {
       "there is none, to the bounding box that the points had at the first step. Points spread evenly; cells become "
       "alike. [S. Lloyd: Least squares quantization in PCM, 1982; Q. Du, V. Faber, M. Gunzburger: Centroidal Voronoi "
       "tessellations, 1999]";
-  evolution.step = needing({"points", why_no_points}, move_to_centroids);
+  evolution.needs = {"points", why_no_points};
+  evolution.step = move_to_centroids;
   return evolution;
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/evolution_settings.h"
 #include "geometries/evolutions_3/mesh_vertices_3.h"
@@ -172,7 +171,8 @@ Evolution_spec smoothing() {
       "mesh ends, toward the mean of those along its end. With {smoothing-keeps-size} the mesh does not shrink. [G. "
       "Taubin: A signal processing approach to fair surface design, 1995]";
   evolution.settings = {std::string(smoothing_factor_setting.id), std::string(smoothing_keeps_size_setting.id)};
-  evolution.step = needing({"a mesh", why_no_mesh}, smooth);
+  evolution.needs = {"a mesh", why_no_mesh};
+  evolution.step = smooth;
   return evolution;
 }
 
@@ -187,7 +187,8 @@ Evolution_spec noise() {
       "the nearest other one; centers of given balls by up to {noise-amplitude} times the radius. The same "
       "{evolution-seed} gives the same noise.";
   evolution.settings = {std::string(noise_amplitude_setting.id), std::string(evolution_seed_setting.id)};
-  evolution.step = needing({"a mesh, points, or balls", why_nothing_moves}, add_noise);
+  evolution.needs = {"a mesh, points, or balls", why_nothing_moves};
+  evolution.step = add_noise;
   return evolution;
 }
 
@@ -199,9 +200,10 @@ Evolution_spec growing() {
       std::string("Each step makes all balls larger by {growing-step} percent of the radius that they had at first.") +
       which_balls + " [B. Miklos: The Scale Axis Transform, 2010, section 5.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
-  evolution.step = needing(needed_balls(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.needs = needed_balls();
+  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, context.setting(growing_step_setting), step);
-  });
+  };
   return evolution;
 }
 
@@ -214,9 +216,10 @@ Evolution_spec shrinking() {
                        "first; ends before nothing is left.") +
                    which_balls;
   evolution.settings = {std::string(growing_step_setting.id), std::string(ball_source_3_setting.id)};
-  evolution.step = needing(needed_balls(), [](Context& context, const Evolution_state& before, std::uint64_t step) {
+  evolution.needs = needed_balls();
+  evolution.step = [](Context& context, const Evolution_state& before, std::uint64_t step) {
     return grow(context, before, -context.setting(growing_step_setting), step);
-  });
+  };
   return evolution;
 }
 
@@ -234,7 +237,8 @@ Evolution_spec stepped_growing() {
       "section A.2]";
   evolution.settings = {std::string(growing_step_setting.id), std::string(min_angle_setting.id),
                         std::string(perturbation_setting.id)};
-  evolution.step = needing(needed_balls(), grow_medial_balls);
+  evolution.needs = needed_balls();
+  evolution.step = grow_medial_balls;
   return evolution;
 }
 

@@ -157,7 +157,8 @@ void register_landmark_disks_2(Registry& registry) {
       "The "
       "Scale Axis Transform, 2010, section A.5]";
   evolution.settings = {std::string(ball_source_setting.id)};
-  evolution.step = needing(needed_disks_2(), add_farthest);
+  evolution.needs = needed_disks_2();
+  evolution.step = add_farthest;
   registry.add_evolution(std::move(evolution));
 }
 

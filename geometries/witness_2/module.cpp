@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "core/evolution_needs.h"
 #include "core/graph.h"
 #include "geometries/delaunay_2/delaunay_2.h"
 #include "geometries/primitives_2.h"
@@ -162,7 +161,8 @@ void register_witness_2(Registry& registry) {
       "witness complex shows the curve that they stand for, coarse at first, then finer. Ends when every sample is a "
       "landmark. [L. Guibas, S. Oudot: Reconstruction using witness complexes, 2007; B. Miklos: The Scale Axis "
       "Transform, 2010, section A.5]";
-  evolution.step = needing({"points, or an outline", why_nothing_to_sample}, add_farthest);
+  evolution.needs = {"points, or an outline", why_nothing_to_sample};
+  evolution.step = add_farthest;
   registry.add_evolution(std::move(evolution));
 }
 

@@ -26,7 +26,12 @@ void rest(Context& context, Setting<std::int64_t> duration) {
 
 Evolution_spec moving(const char* id, const char* label, double step) {
   return {
-      id, label, "Moves the point.", {"pace"}, [step](Context& context, const Evolution_state& before, std::uint64_t) {
+      id,
+      label,
+      "Moves the point.",
+      {"pace"},
+      {},
+      [step](Context& context, const Evolution_state& before, std::uint64_t) {
         rest(context, {"pace"});
         const double x = x_of(before.inputs);
         if (x >= 30) throw Unavailable("the wall is in the way");

@@ -13,7 +13,7 @@ double x_of(const Inputs& inputs) { return inputs.get(points_input)->front().x; 
 class Track : public testing::Test {
  protected:
   Evolution_spec spec(const char* label, std::vector<std::string> settings = {}) {
-    return {label, label, "Moves.", std::move(settings), {}};
+    return {label, label, "Moves.", std::move(settings), {}, {}};
   }
   Evolution_state state() const { return {document_.inputs(), document_.settings()}; }
   /// So many steps by 1 from the end of the track.

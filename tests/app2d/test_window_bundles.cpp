@@ -333,13 +333,25 @@ TEST_F(Window_bundles_test, OnesWithNothingToShowSayWhatTheyNeed) {
 }
 
 TEST_F(Window_bundles_test, TheListIsTheOneThatCommandLinesRead) {
-  EXPECT_EQ(store().file().toStdString(), user_bundle_file("mesecina2d").string());
   trigger("save-bundle");
   EXPECT_EQ(text_after_rename("Figure 3"), "Figure 3");
   std::vector<std::string> warnings;
   const Bundle read = read_bundle_option("figure-3", *make_registry_2(), user_bundle_file("mesecina2d"), warnings);
   EXPECT_EQ(read, store().bundles().back());
   EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(Window_bundles_test, ChangesThatNoFileCanKeepStandAndAreTold) {
+  QUndoStack history;
+  Bundle_store homeless(make_registry_2(), history, QString());
+  EXPECT_EQ(homeless.load(), "");
+  QString reason;
+  QObject::connect(&homeless, &Bundle_store::failed, [&](const QString& text) { reason = text; });
+  std::vector<Bundle> fewer = homeless.bundles();
+  fewer.pop_back();
+  homeless.edit(fewer, "Delete a bundle");
+  EXPECT_EQ(homeless.bundles(), fewer);
+  EXPECT_TRUE(reason.contains("set HOME or XDG_DATA_HOME")) << reason.toStdString();
 }
 
 TEST_F(Window_bundles_test, WhatABundleOfTheCommandLineNamesInVainIsTold) {

@@ -44,8 +44,8 @@ std::shared_ptr<const Registry> registry() {
     setting.default_value = value;
     result->add_setting(std::move(setting));
   }
-  result->add_evolution({"walk", "Walk", "Goes one to the right.", {}, walk});
-  result->add_evolution({"count-down", "Count down", "Lowers a setting.", {"left"}, count_down});
+  result->add_evolution({"walk", "Walk", "Goes one to the right.", {}, {}, walk});
+  result->add_evolution({"count-down", "Count down", "Lowers a setting.", {"left"}, {}, count_down});
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "core/evolution_needs.h"
 #include "evolving.h"
 #include "geometries/balls_2/module.h"
 #include "geometries/modules_2.h"
@@ -85,9 +84,8 @@ TEST(Evolution_needs, AreSaidByAllAndAreTheReasonThatTheFirstStepGives) {
   const std::vector<Inputs> spatial{{}, balls(), cloud(), tetrahedron()};
   for (const auto& [registry, cases] : {std::pair(make_registry_2(), planar), std::pair(make_registry_3(), spatial)}) {
     for (const Evolution_spec& evolution : registry->evolutions()) {
-      const Evolution_needs* needs = needs_of(evolution);
-      ASSERT_NE(needs, nullptr) << evolution.id;
-      EXPECT_FALSE(needs->what.empty() || needs->what.ends_with('.')) << evolution.id;
+      EXPECT_FALSE(evolution.needs.what.empty() || evolution.needs.what.ends_with('.')) << evolution.id;
+      EXPECT_NE(evolution.needs.why_not, nullptr) << evolution.id;
       for (const Inputs& inputs : cases) {
         const std::string reason = why_unfit(evolution, {inputs, {}});
         if (reason.empty()) continue;
@@ -97,12 +95,7 @@ TEST(Evolution_needs, AreSaidByAllAndAreTheReasonThatTheFirstStepGives) {
   }
 }
 
-TEST(Evolution_needs, AnEvolutionThatSaysNothingStartsFromAnything) {
-  Evolution_spec evolution;
-  evolution.step = [](Context&, const Evolution_state& before, std::uint64_t) { return before; };
-  EXPECT_EQ(needs_of(evolution), nullptr);
-  EXPECT_EQ(why_unfit(evolution, {}), "");
-}
+TEST(Evolution_needs, AnEvolutionThatSaysNothingStartsFromAnything) { EXPECT_EQ(why_unfit({}, {}), ""); }
 
 }  // namespace
 }  // namespace mesecina
