@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -12,13 +13,14 @@
 
 namespace mesecina {
 
-/// Runs body() where TBB's algorithms use as many threads as `progress` allows.
+/// Runs body() where TBB's algorithms use as many threads as `progress` allows and the machine has.
 template <class Body>
 void parallel_region(const Progress& progress, const Body& body) {
   if (progress.threads() <= 1) {
     body();
   } else {
-    tbb::task_arena(progress.threads()).execute(body);
+    // For more it would print a warning.
+    tbb::task_arena(std::min(progress.threads(), tbb::info::default_concurrency())).execute(body);
   }
 }
 

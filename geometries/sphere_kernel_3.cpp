@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesecina {
 
@@ -46,20 +47,19 @@ inline Pair split(double value) {
 }
 
 /// Positive where the fifth point is inside of a positively oriented sphere.
-template <class Number>
-Number in_sphere_determinant(const std::array<std::array<Number, 3>, 4>& d) {
+Pair in_sphere_determinant(const std::array<std::array<Pair, 3>, 4>& d) {
   const auto lift = [&](int i) { return d[i][0] * d[i][0] + d[i][1] * d[i][1] + d[i][2] * d[i][2]; };
   const auto minor = [&](int i, int j) { return d[i][0] * d[j][1] - d[j][0] * d[i][1]; };
-  const Number ab = minor(0, 1);
-  const Number bc = minor(1, 2);
-  const Number cd = minor(2, 3);
-  const Number da = minor(3, 0);
-  const Number ac = minor(0, 2);
-  const Number bd = minor(1, 3);
-  const Number abc = d[0][2] * bc - d[1][2] * ac + d[2][2] * ab;
-  const Number bcd = d[1][2] * cd - d[2][2] * bd + d[3][2] * bc;
-  const Number cda = d[2][2] * da + d[3][2] * ac + d[0][2] * cd;
-  const Number dab = d[3][2] * ab + d[0][2] * bd + d[1][2] * da;
+  const Pair ab = minor(0, 1);
+  const Pair bc = minor(1, 2);
+  const Pair cd = minor(2, 3);
+  const Pair da = minor(3, 0);
+  const Pair ac = minor(0, 2);
+  const Pair bd = minor(1, 3);
+  const Pair abc = d[0][2] * bc - d[1][2] * ac + d[2][2] * ab;
+  const Pair bcd = d[1][2] * cd - d[2][2] * bd + d[3][2] * bc;
+  const Pair cda = d[2][2] * da + d[3][2] * ac + d[0][2] * cd;
+  const Pair dab = d[3][2] * ab + d[0][2] * bd + d[1][2] * da;
   return (lift(2) * dab - lift(3) * abc) + (lift(0) * bcd - lift(1) * cda);
 }
 
@@ -100,25 +100,28 @@ CGAL::Oriented_side side_of_sphere_by_double_doubles(const Sphere_query_3& point
   return side_of(in_sphere_determinant(d).high, relative_error * size);
 }
 
+double power_by_double_doubles(const std::array<double, 3>& point, const std::array<double, 3>& center, double radius) {
+  Pair sum;
+  for (int k = 0; k < 3; ++k) {
+    const Pair along = exact_sum(point[k], -center[k]);
+    sum = sum + along * along;
+  }
+  const Pair square = Pair{radius} * Pair{radius};
+  const double power = (sum - square).high;
+  return std::abs(power) <= square.high ? power : std::numeric_limits<double>::quiet_NaN();
+}
+
 CGAL::Oriented_side Sphere_kernel_3::Side_of_oriented_sphere_3::operator()(const Point_3& p, const Point_3& q,
                                                                            const Point_3& r, const Point_3& s,
                                                                            const Point_3& t) const {
-  const Sphere_query_3 points{{{p.x(), p.y(), p.z()},
-                               {q.x(), q.y(), q.z()},
-                               {r.x(), r.y(), r.z()},
-                               {s.x(), s.y(), s.z()},
-                               {t.x(), t.y(), t.z()}}};
-  std::array<std::array<double, 3>, 4> d{};
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 3; ++k) d[i][k] = points[i][k] - points[4][k];
-  const double size = size_of_terms(d);
-  if (size > 0) {
-    constexpr double relative_error = 0x1p-42;
-    const CGAL::Oriented_side side = side_of(in_sphere_determinant(d), relative_error * size);
-    if (side != CGAL::ON_ORIENTED_BOUNDARY) return side;
-    const CGAL::Oriented_side finer = side_of_sphere_by_double_doubles(points);
-    if (finer != CGAL::ON_ORIENTED_BOUNDARY) return finer;
-  }
+  const CGAL::Oriented_side side = Sphere_side_3(p, q, r, s, t).by_coordinates();
+  if (side != CGAL::ON_ORIENTED_BOUNDARY) return side;
+  const CGAL::Oriented_side finer = side_of_sphere_by_double_doubles({{{p.x(), p.y(), p.z()},
+                                                                       {q.x(), q.y(), q.z()},
+                                                                       {r.x(), r.y(), r.z()},
+                                                                       {s.x(), s.y(), s.z()},
+                                                                       {t.x(), t.y(), t.z()}}});
+  if (finer != CGAL::ON_ORIENTED_BOUNDARY) return finer;
   return Base().side_of_oriented_sphere_3_object()(p, q, r, s, t);
 }
 

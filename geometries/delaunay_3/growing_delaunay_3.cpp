@@ -14,8 +14,9 @@
 #include <utility>
 
 #include "core/outcome.h"
+#include "geometries/cell_arrays_3.h"
 #include "geometries/circumcenter_3.h"
-#include "geometries/parallel.h"
+#include "geometries/parallel_insertion_3.h"
 #include "geometries/spatial_order_3.h"
 
 namespace mesecina {
@@ -30,8 +31,39 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
 using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<Cell_number, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Triangulation =
-    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+using Data_structure = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base, CGAL::Parallel_tag>;
+using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Data_structure, CGAL::Default, Territory_locks_3>;
+
+/// Points along a curve, for Parallel_insertion_3. Vertices get the numbers that the points have elsewhere; of equal
+/// points that of any.
+class Numbered_triangulation : public Triangulation {
+ public:
+  void expect(std::span<const mesecina::Point_3> points, std::span<const int> numbers) {
+    points_ = points;
+    numbers_ = numbers;
+    vertices_.assign(points.size(), {});
+  }
+  void expect_no_more() {
+    points_ = {};
+    numbers_ = {};
+    vertices_ = {};
+  }
+
+  Point place(int i) const { return Point(points_[i].x, points_[i].y, points_[i].z); }
+  Vertex_handle vertex(int i) const { return vertices_[i]; }
+  Vertex_handle insert(int i, Locate_type type, Cell_handle cell, int at, int other, bool* could_lock_zone) {
+    const Vertex_handle vertex = Triangulation::insert(place(i), type, cell, at, other, could_lock_zone);
+    if (vertex == Vertex_handle()) return vertex;
+    vertex->info() = numbers_[i];
+    vertices_[i] = vertex;
+    return vertex;
+  }
+
+ private:
+  std::span<const mesecina::Point_3> points_;
+  std::span<const int> numbers_;
+  std::vector<Vertex_handle> vertices_;
+};
 
 /// Per point the first one that is equal to it.
 std::vector<int> first_of_equal(const std::vector<Point_3>& points) {
@@ -68,10 +100,10 @@ class Growing_delaunay_3::Implementation {
     const bool is_first = result_.cells.empty();
     const std::size_t before = result_.points.size();
     result_.points.insert(result_.points.end(), points.begin(), points.end());
-    insert(points, static_cast<int>(before), progress);
+    insert(points, static_cast<int>(before), is_first, progress);
     if (triangulation_.dimension() < 3) throw Unavailable(why_flat(triangulation_));
     find_sites(before);
-    std::vector<int> renewed = is_first ? number_all() : number_new();
+    std::vector<int> renewed = is_first ? number_all(progress) : number_new();
     progress.check();
     parallel_for(renewed.size(), progress, [&](std::size_t i) { write(renewed[i]); });
     return renewed;
@@ -81,21 +113,35 @@ class Growing_delaunay_3::Implementation {
   using Cell = Triangulation::Cell_handle;
   using Vertex = Triangulation::Vertex_handle;
 
-  /// Each from where the last one lies. Vertices get the number of a point there.
-  void insert(std::span<const Point_3> points, int first, Progress& progress) {
-    const bool is_followed = !cells_.empty();
+  void insert(std::span<const Point_3> points, int first, bool is_first, Progress& progress) {
+    std::vector<std::size_t> sorted(points.size());
+    std::iota(sorted.begin(), sorted.end(), 0);
+    sort_along_hilbert_curve(points, sorted, progress);
+    places_.resize(result_.points.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) places_[first + sorted[i]] = first + static_cast<int>(i);
+    const std::vector<int> order = insertion_order_along_curve(points.size());
+    if (is_first) {
+      std::vector<Point_3> along_curve;
+      std::vector<int> numbers;
+      along_curve.reserve(points.size());
+      numbers.reserve(points.size());
+      for (const std::size_t i : sorted) {
+        along_curve.push_back(points[i]);
+        numbers.push_back(first + static_cast<int>(i));
+      }
+      triangulation_.expect(along_curve, numbers);
+      Parallel_insertion_3(triangulation_, along_curve, progress).insert(order);
+      triangulation_.expect_no_more();
+      return;
+    }
     std::size_t count = 0;
-    for (const std::size_t i : insertion_order(points)) {
+    for (const int i : order) {
       constexpr std::size_t often = 1024;
       if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(points.size()));
-      const Kernel::Point_3 place(points[i].x, points[i].y, points[i].z);
-      if (!is_followed) {
-        last_ = triangulation_.insert(place, last_);
-        last_->info() = first + static_cast<int>(i);
-      } else if (insert_followed(place)) {
-        last_->info() = first + static_cast<int>(i);
-        new_vertices_.push_back(last_);
-      }
+      const Point_3& p = points[sorted[i]];
+      if (!insert_followed({p.x, p.y, p.z})) continue;
+      last_->info() = first + static_cast<int>(sorted[i]);
+      new_vertices_.push_back(last_);
     }
   }
 
@@ -130,12 +176,25 @@ class Growing_delaunay_3::Implementation {
     }
   }
 
-  std::vector<int> number_all() {
-    cells_.reserve(triangulation_.tds().number_of_cells());
-    for (auto cell = triangulation_.finite_cells_begin(); cell != triangulation_.finite_cells_end(); ++cell) {
-      cell->info().value = static_cast<int>(cells_.size());
-      cells_.push_back(cell);
-    }
+  /// By the places of its sites.
+  Corner_order_3 order_of(Cell cell) const {
+    std::array<int, 4> places{};
+    for (int i = 0; i < 4; ++i) places[i] = places_[result_.site[cell->vertex(i)->info()]];
+    return corner_order(places);
+  }
+
+  std::vector<int> number_all(Progress& progress) {
+    std::vector<Cell> cells;
+    cells.reserve(triangulation_.tds().number_of_cells());
+    for (auto cell = triangulation_.finite_cells_begin(); cell != triangulation_.finite_cells_end(); ++cell)
+      cells.push_back(cell);
+    const auto place_of = [&](const Vertex& vertex) { return places_[result_.site[vertex->info()]]; };
+    const Sorted_cells_3<Cell> sorted(std::move(cells), places_.size(), place_of, progress);
+    cells_.resize(sorted.size());
+    parallel_for(cells_.size(), progress, [&](std::size_t c) {
+      cells_[c] = sorted.cell(c);
+      cells_[c]->info().value = static_cast<int>(c);
+    });
     resize();
     std::vector<int> all(cells_.size());
     std::iota(all.begin(), all.end(), 0);
@@ -151,6 +210,7 @@ class Growing_delaunay_3::Implementation {
     for (const Vertex vertex : new_vertices_) {
       star.clear();
       triangulation_.finite_incident_cells(vertex, std::back_inserter(star));
+      std::ranges::sort(star, {}, [&](Cell cell) { return order_of(cell).places; });
       for (const Cell cell : star) {
         if (cell->info().value >= 0) continue;
         if (used < free_.size()) {
@@ -179,9 +239,13 @@ class Growing_delaunay_3::Implementation {
     // Cells beside these have others across now, or the same with other numbers.
     for (const int number : renewed) {
       const Cell cell = cells_[number];
-      for (int i = 0; i < 4; ++i)
-        if (const int next = cell->neighbor(i)->info().value; next >= 0 && next < std::ssize(result_.neighbors))
-          result_.neighbors[next][cell->neighbor(i)->index(cell)] = number;
+      for (int i = 0; i < 4; ++i) {
+        const Cell beside = cell->neighbor(i);
+        const int next = beside->info().value;
+        if (next < 0 || next >= std::ssize(result_.neighbors)) continue;
+        const auto from = order_of(beside).from;
+        result_.neighbors[next][std::ranges::find(from, beside->index(cell)) - from.begin()] = number;
+      }
     }
     resize();
     free_.clear();
@@ -198,19 +262,22 @@ class Growing_delaunay_3::Implementation {
 
   void write(int number) {
     const Cell cell = cells_[number];
+    const Corner_order_3 order = order_of(cell);
     std::array<Point_3, 4> points;
     for (int i = 0; i < 4; ++i) {
-      const int corner = result_.site[cell->vertex(i)->info()];
+      const int corner = result_.site[cell->vertex(order.from[i])->info()];
       result_.cells[number][i] = corner;
-      result_.neighbors[number][i] = cell->neighbor(i)->info().value;
+      result_.neighbors[number][i] = cell->neighbor(order.from[i])->info().value;
       points[i] = result_.points[corner];
     }
     result_.circumcenters[number] = circumcenter(points);
     result_.circumradii[number] = distance(result_.circumcenters[number], points[0]);
   }
 
-  Triangulation triangulation_;
+  Memory_return memory_return_;
+  Numbered_triangulation triangulation_;
   Delaunay_3 result_;
+  std::vector<int> places_;  ///< per point, along a curve of those that came with it
   std::vector<Cell> cells_;  ///< by number
   Vertex last_;
   std::vector<Vertex> new_vertices_;

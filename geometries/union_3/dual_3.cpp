@@ -1,53 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "core/disjoint_sets.h"
 #include "geometries/parallel.h"
+#include "geometries/union_3/orthogonal_spheres_3.h"
 #include "geometries/union_3/regular_3.h"
 
 namespace mesecina {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Weighted_point = Kernel::Weighted_point_3;
-
-Weighted_point weighted(const Ball_3& ball) {
-  return Weighted_point({ball.center.x, ball.center.y, ball.center.z}, ball.radius * ball.radius);
-}
-
-/// Signs of the smallest spheres orthogonal to balls.
-class Orthogonal_spheres {
- public:
-  explicit Orthogonal_spheres(const Regular_3& regular) {
-    points_.reserve(regular.balls.size());
-    for (const Ball_3& ball : regular.balls) points_.push_back(weighted(ball));
-  }
-  /// Of the squared radius.
-  template <class... Balls>
-  CGAL::Comparison_result sign(Balls... balls) const {
-    return kernel_.compare_weighted_squared_radius_3_object()(points_[balls]..., 0);
-  }
-  /// `other` is nearer than orthogonal to it.
-  template <class... Balls>
-  bool is_in_conflict(int other, Balls... balls) const {
-    return kernel_.power_side_of_bounded_power_sphere_3_object()(points_[balls]..., points_[other]) ==
-           CGAL::ON_BOUNDED_SIDE;
-  }
-  /// The center of `ball` lies in the power cell of `other`, and not in its own.
-  bool is_center_taken(int ball, int other) const {
-    const auto& center = points_[ball].point();
-    return kernel_.compare_power_distance_3_object()(center, points_[other], points_[ball]) == CGAL::SMALLER;
-  }
-
- private:
-  Kernel kernel_;
-  std::vector<Weighted_point> points_;
-};
 
 /// The cells that have each ball.
 struct Stars {
@@ -81,7 +44,7 @@ struct Edge_star {
 class Dual_builder {
  public:
   Dual_builder(std::shared_ptr<const Regular_3> regular, Progress& progress)
-      : regular_(*regular), progress_(progress), spheres_(regular_) {
+      : regular_(*regular), progress_(progress), spheres_(regular_.balls) {
     result_.regular = std::move(regular);
   }
 
@@ -99,8 +62,7 @@ class Dual_builder {
     result_.is_flat.assign(regular_.cells.size(), 0);
     parallel_for(regular_.cells.size(), progress_, [&](std::size_t c) {
       if (regular_.is_infinite(static_cast<int>(c))) return;
-      const auto& [a, b, d, e] = regular_.cells[c];
-      const auto sign = spheres_.sign(a, b, d, e);
+      const auto sign = spheres_.sign(regular_.cells[c]);
       result_.has_cell[c] = sign != CGAL::LARGER;
       result_.is_flat[c] = sign == CGAL::EQUAL;
     });
@@ -153,12 +115,11 @@ class Dual_builder {
     const int cells_in = result_.has_cell[cell] + result_.has_cell[across];
     if (cells_in == 2) return Simplex_kind_3::interior;
     if (cells_in == 1) return Simplex_kind_3::regular;
-    if (spheres_.sign(balls[0], balls[1], balls[2]) == CGAL::LARGER) return Simplex_kind_3::outside;
+    if (spheres_.sign(balls) == CGAL::LARGER) return Simplex_kind_3::outside;
     const int apex = regular_.cells[cell][place];
     const int other = regular_.cells[across][place_of(across, cell, balls)];
     for (const int opposite : {apex, other}) {
-      if (opposite >= 0 && spheres_.is_in_conflict(opposite, balls[0], balls[1], balls[2]))
-        return Simplex_kind_3::outside;
+      if (opposite >= 0 && spheres_.is_in_conflict(opposite, balls)) return Simplex_kind_3::outside;
     }
     return Simplex_kind_3::singular;
   }
@@ -225,13 +186,13 @@ class Dual_builder {
 
   Simplex_kind_3 kind_of_edge(int ball, const Edge_star& edge, std::span<const int> cells) const {
     if (edge.has_triangle) return edge.has_gap ? Simplex_kind_3::regular : Simplex_kind_3::interior;
-    if (spheres_.sign(ball, edge.other) == CGAL::LARGER) return Simplex_kind_3::outside;
+    if (spheres_.sign(std::array{ball, edge.other}) == CGAL::LARGER) return Simplex_kind_3::outside;
     for (const int cell : cells) {
       const auto& corners = regular_.cells[cell];
       if (std::ranges::count(corners, edge.other) == 0) continue;
       for (const int opposite : corners) {
         if (opposite >= 0 && opposite != ball && opposite != edge.other &&
-            spheres_.is_in_conflict(opposite, ball, edge.other))
+            spheres_.is_in_conflict(opposite, std::array{ball, edge.other}))
           return Simplex_kind_3::outside;
       }
     }
@@ -240,7 +201,7 @@ class Dual_builder {
 
   const Regular_3& regular_;
   Progress& progress_;
-  Orthogonal_spheres spheres_;
+  Orthogonal_spheres_3 spheres_;
   std::vector<std::array<bool, 4>> has_triangle_;  ///< per cell and place
   Dual_3 result_;
 };

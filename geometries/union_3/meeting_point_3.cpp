@@ -132,10 +132,13 @@ std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<c
   // Along a direction across which surfaces are not likely to be flat.
   const Point_3 direction{0.53, 0.61, 0.59};
   std::vector<double> along(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) along[i] = dot(points[i], direction);
+  // Of the balls, as all points may be one.
   Box box;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    along[i] = dot(points[i], direction);
-    box.add(points[i]);
+  for (const auto& [center, radius] : balls) {
+    const Point_3 extent{radius, radius, radius};
+    box.add(center - extent);
+    box.add(center + extent);
   }
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);

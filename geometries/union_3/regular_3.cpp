@@ -6,12 +6,17 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "core/outcome.h"
 #include "geometries/cell_arrays_3.h"
+#include "geometries/parallel_insertion_3.h"
 #include "geometries/spatial_order_3.h"
 
 namespace mesecina {
@@ -23,27 +28,116 @@ using Vertex_base =
     CGAL::Triangulation_vertex_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
 using Cell_base =
     CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
-using Triangulation =
-    CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
+using Data_structure = CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base, CGAL::Parallel_tag>;
+using Triangulation = CGAL::Regular_triangulation_3<Kernel, Data_structure, Territory_locks_3>;
 using Weighted_point = Kernel::Weighted_point_3;
 
-constexpr int infinite = -1;
+constexpr int no_ball = -1;
 
 /// Of each center the first of the largest balls.
-std::vector<int> first_of_each_center(const std::vector<Ball_3>& balls) {
+std::vector<int> first_of_each_center(const std::vector<Ball_3>& balls, const Progress& progress) {
   std::vector<int> order(balls.size());
   std::iota(order.begin(), order.end(), 0);
   const auto key = [&](int i) {
     const Ball_3& b = balls[i];
     return std::tuple(b.center.x, b.center.y, b.center.z, -b.radius, i);
   };
-  std::ranges::sort(order, {}, key);
+  parallel_region(
+      progress, [&] { tbb::parallel_sort(order.begin(), order.end(), [&](int i, int j) { return key(i) < key(j); }); });
   std::vector<int> kept;
   for (const int i : order)
     if (kept.empty() || !(balls[kept.back()].center == balls[i].center)) kept.push_back(i);
   std::ranges::sort(kept);
   return kept;
 }
+
+std::vector<int> along_curve(const std::vector<Ball_3>& balls, const std::vector<int>& numbers,
+                             const Progress& progress) {
+  std::vector<Point_3> centers;
+  centers.reserve(numbers.size());
+  for (const int i : numbers) centers.push_back(balls[i].center);
+  std::vector<std::size_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0);
+  sort_along_hilbert_curve(centers, order, progress);
+  std::vector<int> sorted;
+  sorted.reserve(order.size());
+  for (const std::size_t i : order) sorted.push_back(numbers[i]);
+  return sorted;
+}
+
+/// For Parallel_insertion_3.
+class Ball_triangulation : public Triangulation {
+ public:
+  /// numbers: of the balls to be inserted, of different centers, along a curve.
+  Ball_triangulation(const std::vector<Ball_3>& balls, std::span<const int> numbers)
+      : balls_(balls), numbers_(numbers), vertices_(numbers.size()), place_of_ball_(balls.size(), -1) {
+    infinite_vertex()->info() = no_ball;
+    for (std::size_t i = 0; i < numbers.size(); ++i) place_of_ball_[numbers[i]] = static_cast<int>(i);
+  }
+
+  std::span<const int> place_of_ball() const { return place_of_ball_; }
+
+  Weighted_point place(int i) const {
+    const auto& [c, r] = balls_[numbers_[i]];
+    return {Kernel::Point_3(c.x, c.y, c.z), r * r};
+  }
+  Vertex_handle vertex(int i) const { return vertices_[i]; }
+  Vertex_handle insert(int i, Locate_type type, Cell_handle cell, int at, int other, bool* could_lock_zone) {
+    const Weighted_point p = place(i);
+    if (dimension() < 3) {
+      // It may be hidden later without word.
+      const Vertex_handle vertex = Triangulation::insert(p, type, cell, at, other);
+      if (vertex != Vertex_handle()) vertex->info() = numbers_[i];
+      return vertex;
+    }
+    Hidden hidden(*this);
+    const Conflict_tester_3 conflict(p, this);
+    const Vertex_handle vertex = insert_in_conflict(p, type, cell, at, other, conflict, hidden, could_lock_zone);
+    if (vertex == Vertex_handle()) return vertex;
+    vertex->info() = numbers_[i];
+    vertices_[i] = vertex;
+    return vertex;
+  }
+
+ private:
+  /// Forgets balls that are hidden, which CGAL would keep in the cells where they are.
+  class Hidden {
+   public:
+    explicit Hidden(Ball_triangulation& triangulation) : triangulation_(triangulation) {}
+    template <class Cells>
+    void process_cells_in_conflict(Cells begin, Cells end) {
+      for (; begin != end; ++begin) {
+        for (int i = 0; i < 4; ++i) {
+          const Vertex_handle vertex = (*begin)->vertex(i);
+          if (vertex->cell() == Cell_handle()) continue;
+          vertices_.push_back(vertex);
+          vertex->set_cell(Cell_handle());
+        }
+      }
+    }
+    void reinsert_vertices(Vertex_handle) {
+      for (const Vertex_handle vertex : vertices_) {
+        if (vertex->cell() != Cell_handle()) continue;
+        triangulation_.vertices_[triangulation_.place_of_ball_[vertex->info()]] = {};
+        triangulation_.tds().delete_vertex(vertex);
+      }
+    }
+    Vertex_handle replace_vertex(Cell_handle cell, int i, const Weighted_point& p) const {
+      cell->vertex(i)->set_point(p);
+      return cell->vertex(i);
+    }
+    void hide_point(Cell_handle, const Weighted_point&) const {}
+
+   private:
+    Ball_triangulation& triangulation_;
+    boost::container::small_vector<Vertex_handle, 64> vertices_;
+  };
+
+  const std::vector<Ball_3>& balls_;
+  std::span<const int> numbers_;
+  std::vector<Vertex_handle> vertices_;
+  std::vector<int> place_of_ball_;
+};
 
 /// Far away and with weights so negative that they take no part between the balls, but give the triangulation cells.
 void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& balls) {
@@ -61,7 +155,7 @@ void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& b
   for (const Point_3& d : {Point_3{1, 1, 1}, Point_3{1, -1, -1}, Point_3{-1, 1, -1}, Point_3{-1, -1, 1}}) {
     const Point_3 p = c + size * d;
     const auto vertex = triangulation.insert(Weighted_point({p.x, p.y, p.z}, weight));
-    vertex->info() = infinite;
+    vertex->info() = no_ball;
   }
 }
 
@@ -70,39 +164,20 @@ void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& b
 Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
   if (balls.empty()) throw Unavailable("there are no balls");
   progress.begin_stage("regular triangulation");
-  const std::vector<int> kept = first_of_each_center(balls);
+  const std::vector<int> kept = along_curve(balls, first_of_each_center(balls, progress), progress);
   std::vector<Point_3> centers;
   centers.reserve(kept.size());
   for (const int i : kept) centers.push_back(balls[i].center);
-  Triangulation triangulation;
-  triangulation.infinite_vertex()->info() = infinite;
-  Triangulation::Cell_handle last;
-  std::size_t inserted = 0;
-  for (const std::size_t i : insertion_order(centers)) {
-    constexpr std::size_t often = 1024;
-    if (++inserted % often == 0) progress.report(static_cast<double>(inserted) / static_cast<double>(kept.size()));
-    const auto& [c, r] = balls[kept[i]];
-    const Weighted_point point({c.x, c.y, c.z}, r * r);
-    Triangulation::Locate_type type{};
-    int at = 0;
-    int other = 0;
-    const auto cell = triangulation.locate(point, type, at, other, last);
-    const auto vertex = triangulation.insert(point, type, cell, at, other);
-    last = vertex != Triangulation::Vertex_handle() ? vertex->cell() : cell;
-    if (vertex != Triangulation::Vertex_handle()) vertex->info() = kept[i];
-  }
+  const Memory_return memory_return;
+  Ball_triangulation triangulation(balls, kept);
+  Parallel_insertion_3(triangulation, centers, progress).insert(insertion_order_along_curve(kept.size()));
   progress.check();
   if (triangulation.dimension() < 3) add_surroundings(triangulation, balls);
 
   Regular_3 result;
+  result.cell_of_ball.assign(balls.size(), -1);
+  write_cells(triangulation, triangulation.place_of_ball(), result.cells, result.neighbors, progress);
   result.balls = std::move(balls);
-  result.cell_of_ball.assign(result.balls.size(), -1);
-  std::vector<std::size_t> order(centers.size());
-  std::iota(order.begin(), order.end(), 0);
-  sort_along_hilbert_curve(centers, order);
-  std::vector<int> places(result.balls.size(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i) places[kept[order[i]]] = static_cast<int>(i);
-  write_cells(triangulation, places, result.cells, result.neighbors, progress);
   for (std::size_t c = 0; c < result.cells.size(); ++c)
     for (const int ball : result.cells[c])
       if (ball >= 0) result.cell_of_ball[ball] = static_cast<int>(c);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/union_3/vertex_voronoi_3.h"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -16,22 +13,14 @@
 #include <utility>
 
 #include "core/disjoint_sets.h"
-#include "geometries/cell_arrays_3.h"
 #include "geometries/circumcenter_3.h"
 #include "geometries/parallel.h"
 #include "geometries/spatial_order_3.h"
-#include "geometries/sphere_kernel_3.h"
+#include "geometries/union_3/vertex_delaunay_3.h"
 
 namespace mesecina {
 
 namespace {
-
-using Kernel = Sphere_kernel_3;
-using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
-using Cell_base =
-    CGAL::Triangulation_cell_base_with_info_3<int, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Triangulation =
-    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base, Cell_base>>;
 
 /// Points at equal places become one with the balls of all of them.
 void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Progress& progress) {
@@ -65,7 +54,7 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Pro
   std::vector<std::size_t> kept;
   for (std::size_t v = 0; v < first.size(); ++v)
     if (first[v] == static_cast<int>(v)) kept.push_back(v);
-  sort_along_hilbert_curve(vertices.points, kept);
+  sort_along_hilbert_curve(vertices.points, kept, progress);
   result.ball_offsets.push_back(0);
   for (const std::size_t v : kept) {
     result.points.push_back(vertices.points[v]);
@@ -83,24 +72,6 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Pro
     }
     result.ball_offsets.push_back(static_cast<int>(result.balls.size()));
   }
-}
-
-void triangulate(Vertex_voronoi_3& result, Progress& progress) {
-  Triangulation triangulation;
-  triangulation.infinite_vertex()->info() = -1;
-  Triangulation::Vertex_handle last;
-  std::size_t count = 0;
-  for (const std::size_t i : insertion_order(result.points)) {
-    constexpr std::size_t often = 1024;
-    if (++count % often == 0) progress.report(static_cast<double>(count) / static_cast<double>(result.points.size()));
-    const Point_3& p = result.points[i];
-    last = triangulation.insert(Kernel::Point_3(p.x, p.y, p.z), last);
-    last->info() = static_cast<int>(i);
-  }
-  if (triangulation.dimension() < 3) return;
-  std::vector<int> places(result.points.size());
-  std::iota(places.begin(), places.end(), 0);  // they are along a curve
-  write_cells(triangulation, places, result.cells, result.neighbors, progress);
 }
 
 void find_balls_of_cells(Vertex_voronoi_3& result, std::size_t ball_count, Progress& progress) {
@@ -215,9 +186,10 @@ Vertex_voronoi_3 vertex_voronoi(const Union_vertices_3& vertices, Progress& prog
   progress.begin_stage("Voronoi diagram of the vertices of the union");
   Vertex_voronoi_3 result;
   take_points(vertices, result, progress);
-  triangulate(result, progress);
+  const std::vector<Ball_3>& balls = vertices.dual->regular->balls;
+  vertex_delaunay({result.points, result.ball_offsets, result.balls, balls}, result.cells, result.neighbors, progress);
   progress.check();
-  find_balls_of_cells(result, vertices.dual->regular->balls.size(), progress);
+  find_balls_of_cells(result, balls.size(), progress);
   label_cells(*vertices.dual, result, progress);
   return result;
 }

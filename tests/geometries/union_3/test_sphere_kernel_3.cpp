@@ -113,5 +113,72 @@ TEST(Sphere_kernel_3, points_in_a_plane_and_equal_ones) {
   }
 }
 
+/// What powers to a sphere say, which has to be right; ON_ORIENTED_BOUNDARY where they say nothing.
+CGAL::Oriented_side expect_powers_right(const std::array<Point, 5>& p, const Point& center, double radius) {
+  std::array<double, 5> powers{};
+  for (int i = 0; i < 5; ++i)
+    powers[i] = power_by_double_doubles({p[i].x(), p[i].y(), p[i].z()}, {center.x(), center.y(), center.z()}, radius);
+  const auto side = Sphere_side_3(p[0], p[1], p[2], p[3], p[4]).by_powers(powers, 0x1p-97 * radius * radius);
+  if (side != CGAL::ON_ORIENTED_BOUNDARY) {
+    EXPECT_EQ(side, Exact().side_of_oriented_sphere_3_object()(p[0], p[1], p[2], p[3], p[4]));
+  }
+  return side;
+}
+
+TEST(Sphere_side_3, powers_decide_of_points_on_one_sphere_but_for_rounding) {
+  Random random(5);
+  int by_coordinates = 0;
+  int by_powers = 0;
+  constexpr int count = 4000;
+  for (int i = 0; i < count; ++i) {
+    const double far = std::pow(10.0, random.number(-3, 3));
+    const Point center(random.number(-far, far), random.number(-far, far), random.number(-far, far));
+    const double radius = std::pow(10.0, random.number(-3, 3));
+    std::array<Point, 5> p;
+    for (Point& q : p) q = random.on_sphere(center, radius);
+    if (expect_powers_right(p, center, radius) != CGAL::ON_ORIENTED_BOUNDARY) ++by_powers;
+    if (Sphere_side_3(p[0], p[1], p[2], p[3], p[4]).by_coordinates() != CGAL::ON_ORIENTED_BOUNDARY) ++by_coordinates;
+  }
+  EXPECT_GT(by_powers, count * 98 / 100);
+  EXPECT_LT(by_coordinates, count * 10 / 100);
+}
+
+TEST(Sphere_side_3, powers_are_right_also_where_points_are_near_each_other) {
+  Random random(6);
+  for (int i = 0; i < 4000; ++i) {
+    const Point center(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
+    const Point middle = random.on_sphere(center, 0.5);
+    const double reach = std::pow(10.0, random.number(-12, -1));
+    std::array<Point, 5> p;
+    for (Point& q : p)
+      q = Point(middle.x() + random.number(-reach, reach), middle.y() + random.number(-reach, reach),
+                middle.z() + random.number(-reach, reach));
+    expect_powers_right(p, center, 0.5);
+    // The sphere may be any.
+    expect_powers_right(p, random.on_sphere(center, 0.1), 0.4);
+  }
+}
+
+TEST(Sphere_side_3, powers_of_points_far_from_the_sphere_say_nothing) {
+  Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    std::array<Point, 5> p;
+    for (Point& q : p) q = random.on_sphere({0, 0, 0}, 1);
+    p[i % 5] = Point(3, 2, 1);
+    EXPECT_EQ(expect_powers_right(p, {0, 0, 0}, 1), CGAL::ON_ORIENTED_BOUNDARY);
+  }
+}
+
+TEST(Sphere_side_3, powers_of_corners_of_a_cube_do_not_tell) {
+  std::array<Point, 5> p;
+  for (int code = 0; code < 8 * 8 * 8 * 8 * 8; ++code) {
+    for (int i = 0; i < 5; ++i) {
+      const int corner = code >> (3 * i) & 7;
+      p[i] = Point(corner & 1, corner >> 1 & 1, corner >> 2 & 1);
+    }
+    EXPECT_EQ(expect_powers_right(p, {0.5, 0.5, 0.5}, std::sqrt(0.75)), CGAL::ON_ORIENTED_BOUNDARY);
+  }
+}
+
 }  // namespace
 }  // namespace mesecina
