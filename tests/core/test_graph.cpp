@@ -477,7 +477,7 @@ TEST_F(Graph_test, change_while_nobody_asked_is_noticed_later) {
 TEST_F(Graph_test, a_step_of_an_evolution_reads_structures_and_changes_nothing) {
   add_sum_and_product();
   registry_->add_evolution(
-      {"shift", "Shift", "", {"factor"}, [](Context& context, const Evolution_state& before, std::uint64_t step) {
+      {"shift", "Shift", "", {"factor"}, {}, [](Context& context, const Evolution_state& before, std::uint64_t step) {
          const double sum = *context.get(sum_key);
          Evolution_state after = before;
          after.inputs = before.inputs.with(points_input, Points{{sum + double(step), 0}});
@@ -496,16 +496,25 @@ TEST_F(Graph_test, a_step_of_an_evolution_reads_structures_and_changes_nothing) 
 
 TEST_F(Graph_test, a_step_that_cannot_be_done_says_why) {
   registry_->add_evolution(
-      {"none", "None", "", {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
+      {"none", "None", "", {}, {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
          throw Unavailable("there are no points");
        }});
   registry_->add_evolution(
-      {"broken", "Broken", "", {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
+      {"broken", "Broken", "", {}, {}, [](Context&, const Evolution_state&, std::uint64_t) -> Evolution_state {
          throw std::runtime_error("oops");
        }});
   Progress progress;
   EXPECT_EQ(graph().evolve("none", 1, progress).reason, "there are no points");
   EXPECT_EQ(graph().evolve("broken", 1, progress).reason, "internal error in 'broken': oops");
+  Evolution_spec choosy = *registry_->find_evolution("broken");
+  choosy.id = "choosy";
+  choosy.needs = {"points", [](const Evolution_state& state) {
+                    return state.inputs.get(points_input) ? "" : "draw some points first";
+                  }};
+  registry_->add_evolution(choosy);
+  EXPECT_EQ(graph().evolve("choosy", 1, progress).reason, "draw some points first");
+  graph().set_inputs(with_points({{1, 0}}));
+  EXPECT_EQ(graph().evolve("choosy", 1, progress).reason, "internal error in 'choosy': oops");
   EXPECT_THROW(graph().evolve("missing", 1, progress), std::out_of_range);
   EXPECT_EQ(registry_->module_of("none")->id, "module");
 }
