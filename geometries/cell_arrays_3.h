@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -39,15 +40,16 @@ inline Corner_order_3 corner_order(const std::array<int, 4>& places) {
   return {{places[from[0]], places[from[1]], places[from[2]], places[from[3]]}, from};
 }
 
-/// Cells of a triangulation of CGAL sorted by the places of their corners: what is near along a curve is near in memory
-/// then, and the order depends on the triangulation only, not on how it was made.
+/// Numbers of the cells of a triangulation of CGAL, by the places of their corners: what is near along a curve is near
+/// in memory then, and they depend on the triangulation only, not on how it was made.
 template <class Cell>
-class Sorted_cells_3 {
+class Cell_numbers_3 {
  public:
   /// place_of(vertex): less than place_count. O(n) for few cells around each place.
   template <class Place_of>
-  Sorted_cells_3(std::vector<Cell> cells, std::size_t place_count, const Place_of& place_of, Progress& progress)
-      : cells_(std::move(cells)), corners_(cells_.size()), order_(cells_.size()) {
+  Cell_numbers_3(std::vector<Cell> cells, std::size_t place_count, const Place_of& place_of, Progress& progress)
+      : cells_(std::move(cells)), corners_(cells_.size()), numbers_(cells_.size()) {
+    // In the order of the cells, as that in which they lie in memory.
     parallel_for(cells_.size(), progress, [&](std::size_t c) {
       std::array<int, 4> places{};
       for (int i = 0; i < 4; ++i) places[i] = place_of(cells_[c]->vertex(i));
@@ -56,23 +58,34 @@ class Sorted_cells_3 {
     std::vector<int> first(place_count + 1, 0);
     for (const Corner_order_3& corners : corners_) ++first[corners.places[0] + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
+    struct Entry {
+      std::array<int, 3> others;  ///< places of the corners but the least
+      int cell;
+      auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> sorted(cells_.size());
     std::vector<int> next(first.begin(), first.end() - 1);
-    for (std::size_t c = 0; c < cells_.size(); ++c) order_[next[corners_[c].places[0]]++] = static_cast<int>(c);
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const auto& places = corners_[c].places;
+      sorted[next[places[0]]++] = {{places[1], places[2], places[3]}, static_cast<int>(c)};
+    }
     parallel_for(place_count, progress, [&](std::size_t place) {
-      const auto begin = order_.begin() + first[place];
-      const auto end = order_.begin() + first[place + 1];
-      std::stable_sort(begin, end, [&](int c, int d) { return corners_[c].places < corners_[d].places; });
+      std::sort(sorted.begin() + first[place], sorted.begin() + first[place + 1]);
+      for (int number = first[place]; number < first[place + 1]; ++number) numbers_[sorted[number].cell] = number;
     });
   }
 
-  std::size_t size() const { return order_.size(); }
-  Cell cell(std::size_t number) const { return cells_[order_[number]]; }
-  const Corner_order_3& corners(std::size_t number) const { return corners_[order_[number]]; }
+  std::size_t size() const { return cells_.size(); }
+  /// Calls use(cell, its number, its corners) for each cell, on several threads.
+  template <class Use>
+  void for_each(Progress& progress, const Use& use) const {
+    parallel_for(cells_.size(), progress, [&](std::size_t c) { use(cells_[c], numbers_[c], corners_[c]); });
+  }
 
  private:
   std::vector<Cell> cells_;
   std::vector<Corner_order_3> corners_;
-  std::vector<int> order_;
+  std::vector<int> numbers_;
 };
 
 /// The cells of a triangulation of CGAL, of dimension 3, with numbers in its cells and vertices: their vertices by
@@ -92,17 +105,19 @@ void write_cells(Triangulation& triangulation, std::span<const int> place_of_poi
     const int point = vertex->info();
     return point < 0 ? none : place_of_point[point];
   };
-  const Sorted_cells_3<Cell> sorted(std::move(handles), place_of_point.size() + 1, place_of, progress);
-  parallel_for(sorted.size(), progress, [&](std::size_t c) { sorted.cell(c)->info() = static_cast<int>(c); });
-  cells.resize(sorted.size());
-  neighbors.resize(sorted.size());
-  parallel_for(sorted.size(), progress, [&](std::size_t c) {
-    const Cell cell = sorted.cell(c);
-    const auto& from = sorted.corners(c).from;
+  const Cell_numbers_3<Cell> numbers(std::move(handles), place_of_point.size() + 1, place_of, progress);
+  numbers.for_each(progress, [](const Cell& cell, int number, const Corner_order_3&) { cell->info() = number; });
+  cells.resize(numbers.size());
+  neighbors.resize(numbers.size());
+  numbers.for_each(progress, [&](const Cell& cell, int number, const Corner_order_3& corners) {
+    std::array<int, 4> points{};
+    std::array<int, 4> across{};
     for (int i = 0; i < 4; ++i) {
-      cells[c][i] = cell->vertex(from[i])->info();
-      neighbors[c][i] = cell->neighbor(from[i])->info();
+      points[i] = cell->vertex(corners.from[i])->info();
+      across[i] = cell->neighbor(corners.from[i])->info();
     }
+    cells[number] = points;
+    neighbors[number] = across;
   });
 }
 

@@ -19,8 +19,8 @@
 
 namespace mesecina {
 
-/// Declared before a triangulation with CGAL::Parallel_tag, and so destroyed after it, it gives the memory of that back:
-/// the allocator of such triangulations would keep it for others of their kind.
+/// Declared before a triangulation with CGAL::Parallel_tag, and so destroyed after it, it gives the memory of that
+/// back: the allocator of such triangulations would keep it for others of their kind.
 struct Memory_return {
   Memory_return() = default;
   Memory_return(const Memory_return&) = delete;
@@ -59,7 +59,7 @@ class Parallel_insertion_3 {
     triangulation_.infinite_vertex()->set_point(Place(Place_3(nowhere, nowhere, nowhere)));
     std::vector<int> left(order.begin() + static_cast<std::ptrdiff_t>(done), order.end());
     constexpr int most_rounds = 2;
-    for (int round = 0; round < most_rounds && left.size() >= least_shared; ++round)
+    for (int round = 0; round < most_rounds && left.size() >= least_shared_again; ++round)
       if (!insert_shared(left)) break;
     for (const int i : left) {
       if (const Vertex near = vertex_near(i, [](int) { return true; }); near != Vertex()) last_ = near;
@@ -75,6 +75,7 @@ class Parallel_insertion_3 {
   using Locate_type = typename Numbered::Locate_type;
 
   static constexpr std::size_t least_shared = 4096;
+  static constexpr std::size_t least_shared_again = 1024;
 
   void count_one() {
     constexpr std::size_t often = 512;
@@ -139,7 +140,7 @@ class Parallel_insertion_3 {
   }
 
   Territories_3 find_territories(std::span<const int> numbers) {
-    constexpr std::size_t most_looked_at = 4096;
+    constexpr std::size_t most_looked_at = 1024;
     const std::size_t step = std::max<std::size_t>(1, numbers.size() / most_looked_at);
     std::vector<Territories_3::Reach> reaches;
     for (std::size_t i = 0; i < numbers.size(); i += step) reaches.push_back(reach_of(numbers[i]));

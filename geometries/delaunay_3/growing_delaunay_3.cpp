@@ -103,9 +103,13 @@ class Growing_delaunay_3::Implementation {
     insert(points, static_cast<int>(before), is_first, progress);
     if (triangulation_.dimension() < 3) throw Unavailable(why_flat(triangulation_));
     find_sites(before);
-    std::vector<int> renewed = is_first ? number_all(progress) : number_new();
+    if (is_first) return write_all(progress);
+    std::vector<int> renewed = number_new();
     progress.check();
-    parallel_for(renewed.size(), progress, [&](std::size_t i) { write(renewed[i]); });
+    parallel_for(renewed.size(), progress, [&](std::size_t i) {
+      const Cell cell = cells_[renewed[i]];
+      write(cell, renewed[i], order_of(cell));
+    });
     return renewed;
   }
 
@@ -183,19 +187,22 @@ class Growing_delaunay_3::Implementation {
     return corner_order(places);
   }
 
-  std::vector<int> number_all(Progress& progress) {
+  std::vector<int> write_all(Progress& progress) {
     std::vector<Cell> cells;
     cells.reserve(triangulation_.tds().number_of_cells());
     for (auto cell = triangulation_.finite_cells_begin(); cell != triangulation_.finite_cells_end(); ++cell)
       cells.push_back(cell);
     const auto place_of = [&](const Vertex& vertex) { return places_[result_.site[vertex->info()]]; };
-    const Sorted_cells_3<Cell> sorted(std::move(cells), places_.size(), place_of, progress);
-    cells_.resize(sorted.size());
-    parallel_for(cells_.size(), progress, [&](std::size_t c) {
-      cells_[c] = sorted.cell(c);
-      cells_[c]->info().value = static_cast<int>(c);
+    const Cell_numbers_3<Cell> numbers(std::move(cells), places_.size(), place_of, progress);
+    cells_.resize(numbers.size());
+    numbers.for_each(progress, [&](const Cell& cell, int number, const Corner_order_3&) {
+      cells_[number] = cell;
+      cell->info().value = number;
     });
     resize();
+    progress.check();
+    numbers.for_each(progress,
+                     [&](const Cell& cell, int number, const Corner_order_3& order) { write(cell, number, order); });
     std::vector<int> all(cells_.size());
     std::iota(all.begin(), all.end(), 0);
     return all;
@@ -260,9 +267,7 @@ class Growing_delaunay_3::Implementation {
     result_.circumradii.resize(cells_.size());
   }
 
-  void write(int number) {
-    const Cell cell = cells_[number];
-    const Corner_order_3 order = order_of(cell);
+  void write(Cell cell, int number, const Corner_order_3& order) {
     std::array<Point_3, 4> points;
     for (int i = 0; i < 4; ++i) {
       const int corner = result_.site[cell->vertex(order.from[i])->info()];
@@ -274,7 +279,6 @@ class Growing_delaunay_3::Implementation {
     result_.circumradii[number] = distance(result_.circumcenters[number], points[0]);
   }
 
-  Memory_return memory_return_;
   Numbered_triangulation triangulation_;
   Delaunay_3 result_;
   std::vector<int> places_;  ///< per point, along a curve of those that came with it

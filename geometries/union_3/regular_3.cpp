@@ -168,7 +168,6 @@ Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
   std::vector<Point_3> centers;
   centers.reserve(kept.size());
   for (const int i : kept) centers.push_back(balls[i].center);
-  const Memory_return memory_return;
   Ball_triangulation triangulation(balls, kept);
   Parallel_insertion_3(triangulation, centers, progress).insert(insertion_order_along_curve(kept.size()));
   progress.check();
