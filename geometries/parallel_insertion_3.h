@@ -61,6 +61,7 @@ class Parallel_insertion_3 {
     constexpr int most_rounds = 2;
     for (int round = 0; round < most_rounds && left.size() >= least_shared_again; ++round)
       if (!insert_shared(left)) break;
+    last_ = {};  // it may be hidden by now
     for (const int i : left) {
       if (const Vertex near = vertex_near(i, [](int) { return true; }); near != Vertex()) last_ = near;
       insert_alone(i);

@@ -163,7 +163,7 @@ std::vector<Ball_3> balls_of_all_sizes(const std::vector<Point_3>& centers, doub
 TEST(Parallel_insertion_3, of_balls_gives_the_cells_of_cgal_on_all_threads) {
   for (const auto& [name, points] : large_sets()) {
     if (name == "all twice") continue;  // of equal centers the first of the largest is kept, CGAL keeps another
-    for (const double size : {0.0, 0.02, 0.2}) {
+    for (const double size : {0.0, 0.02, 0.2, 2.0}) {
       SCOPED_TRACE(name + " " + std::to_string(size));
       const std::vector<Ball_3> balls = size == 0 ? balls_of_all_sizes(points, 1e-9) : balls_of_all_sizes(points, size);
       Progress alone;
