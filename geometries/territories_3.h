@@ -51,8 +51,8 @@ class Territories_3 {
 
 /// In place of the locks of points that CGAL's triangulations ask for while several threads change one of them: a
 /// vertex may be taken by the thread that has its territory, and a vertex at no place (NaN) by none. So a thread
-/// changes only cells whose vertices are all its own; a cell with others beside it is not changed by anyone but where
-/// it is known that three of its vertices are its own.
+/// replaces only cells whose vertices are all its own; of a cell that has another one's vertex too it changes what lies
+/// across from that vertex, which no other thread reads, and nothing else.
 class Territory_locks_3 {
  public:
   /// No thread has a territory yet.
