@@ -14,7 +14,7 @@ namespace {
 QColor to_qt(Color color) { return {color.red, color.green, color.blue}; }
 
 constexpr std::array axis_colors{Color{214, 60, 60}, Color{60, 150, 50}, Color{50, 110, 220}};
-constexpr std::array axis_names{"X", "Y", "Z"};
+constexpr std::array axis_letters{"X", "Y", "Z"};
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void Axis_gizmo::paint(QPainter& painter, Color ground, const std::optional<Poin
     if (!end.is_positive) continue;
     painter.setPen(Qt::white);
     const QRectF box(end.place - QPointF(end_radius, end_radius), QSizeF(2 * end_radius, 2 * end_radius));
-    painter.drawText(box, Qt::AlignCenter, QLatin1String(axis_names[end.axis]));
+    painter.drawText(box, Qt::AlignCenter, QLatin1String(axis_letters[end.axis]));
   }
   painter.restore();
 }

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <utility>
 
+#include "app3d/qglviewer_points.h"
 #include "layers/painter_canvas.h"
 
 namespace mesecina {
@@ -26,9 +27,6 @@ constexpr int rest_milliseconds = 200;
 constexpr int pivot_milliseconds = 1500;
 constexpr int layers_while_moving = 4;
 constexpr double zoom_per_notch = 1.2;
-
-qglviewer::Vec to_vec(const Point_3& p) { return {p.x, p.y, p.z}; }
-Point_3 to_point(const qglviewer::Vec& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "app3d/qglviewer_points.h"
 #include "app3d/viewer_3.h"
 #include "core/camera_path_3.h"
 
 namespace mesecina {
 
 namespace {
-
-qglviewer::Vec to_vec(const Point_3& p) { return {p.x, p.y, p.z}; }
-Point_3 to_point(const qglviewer::Vec& v) { return {v.x, v.y, v.z}; }
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 

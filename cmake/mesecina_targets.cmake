@@ -4,14 +4,22 @@ add_library(mesecina_options INTERFACE)
 target_compile_features(mesecina_options INTERFACE cxx_std_20)
 target_include_directories(mesecina_options INTERFACE ${PROJECT_SOURCE_DIR})
 # No contraction into fused multiply-adds: files are the same bytes on every machine, and error bounds of predicates hold.
-target_compile_options(mesecina_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off)
+target_compile_options(mesecina_options INTERFACE -Wall -Wextra -Wpedantic -ffp-contract=off)
+if(MESECINA_JOIN)
+  # What two sources name alike is no mistake: one may have a local name where another has one of its whole file.
+  target_compile_options(mesecina_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+else()
+  target_compile_options(mesecina_options INTERFACE -Wshadow)
+endif()
 if(MESECINA_STRICT)
   target_compile_options(mesecina_options INTERFACE -Werror)
 endif()
 if(MESECINA_SANITIZE)
-  # g++ 12 takes what the sanitizers insert for uses of uninitialized variables.
-  target_compile_options(mesecina_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
-                                                    -Wno-maybe-uninitialized)
+  # Without what doubles the time to compile: checks of every pointer for null and alignment. Where such a pointer leads
+  # to foreign memory, the address sanitizer tells. g++ 12 takes what they insert for uses of uninitialized variables.
+  target_compile_options(
+    mesecina_options INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size
+                               -fno-omit-frame-pointer -Wno-maybe-uninitialized)
   target_link_options(mesecina_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -24,6 +32,11 @@ function(mesecina_library name)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     target_compile_definitions(${name} PRIVATE QT_NO_KEYWORDS QT_NO_CAST_TO_ASCII)
   endif()
+endfunction()
+
+# mesecina_alone(SOURCES...): sources that are not compiled together with others of their folder (joined_sources.cmake).
+function(mesecina_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # mesecina_test(NAME LABEL label SOURCES... LINK libraries... [ENVIRONMENT VAR=VALUE] [TIMEOUT seconds]): a GoogleTest

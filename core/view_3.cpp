@@ -13,7 +13,7 @@ namespace mesecina {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered_json = nlohmann::ordered_json;
 
 constexpr double part_of_picture = 0.95;
 constexpr const char* perspective_name = "perspective";
@@ -41,32 +41,34 @@ std::array<Point_3, 8> corners_around(const Box& box) {
   return corners;
 }
 
-Json to_array(const Point_3& p) { return Json::array({p.x, p.y, p.z}); }
+Ordered_json to_array(const Point_3& p) { return Ordered_json::array({p.x, p.y, p.z}); }
 
 [[noreturn]] void refuse(const std::string& expected) { throw std::invalid_argument("expected " + expected); }
 
-double number_of(const Json& json, const char* name) {
+double number_of(const Ordered_json& json, const char* name) {
   const auto found = json.find(name);
   if (found == json.end() || !found->is_number() || !std::isfinite(found->get<double>()))
     refuse("a finite number \"" + std::string(name) + "\"");
   return found->get<double>();
 }
 
-Point_3 point_of(const Json& json, const char* name) {
+Point_3 point_of(const Ordered_json& json, const char* name) {
   const auto found = json.find(name);
-  const auto is_number = [](const Json& entry) { return entry.is_number() && std::isfinite(entry.get<double>()); };
+  const auto is_number = [](const Ordered_json& entry) {
+    return entry.is_number() && std::isfinite(entry.get<double>());
+  };
   if (found == json.end() || !found->is_array() || found->size() != 3 || !std::ranges::all_of(*found, is_number))
     refuse("three finite numbers \"" + std::string(name) + "\": [x, y, z]");
   return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
 }
 
-const Json& object_of(const Json& json, const char* name) {
+const Ordered_json& object_of(const Ordered_json& json, const char* name) {
   const auto found = json.find(name);
   if (found == json.end() || !found->is_object()) refuse("an object \"" + std::string(name) + "\"");
   return *found;
 }
 
-Camera_3 camera_of(const Json& json) {
+Camera_3 camera_of(const Ordered_json& json) {
   Camera_3 camera;
   camera.position = point_of(json, "position");
   camera.target = point_of(json, "target");
@@ -86,8 +88,8 @@ Camera_3 camera_of(const Json& json) {
   return camera;
 }
 
-Json to_object(const Camera_3& camera) {
-  Json json;
+Ordered_json to_object(const Camera_3& camera) {
+  Ordered_json json;
   json["position"] = to_array(camera.position);
   json["target"] = to_array(camera.target);
   json["up"] = to_array(camera.up);
@@ -104,7 +106,7 @@ Json to_object(const Camera_3& camera) {
 /// Runs `read` on the JSON object that the text must be.
 template <class Read>
 auto read_view_file(std::string_view text, const Read& read) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Ordered_json json = Ordered_json::parse(text, nullptr, false);
   if (!json.is_object()) refuse("a JSON object with a \"camera\"");
   try {
     return read(json);
@@ -176,7 +178,7 @@ std::pair<double, double> depth_range(const Camera_3& camera, const Box& box) {
 }
 
 std::string to_json(const View_3& view, std::span<const Camera_3> path) {
-  Json json;
+  Ordered_json json;
   json["camera"] = to_object(view.camera);
   if (view.cutting_plane) {
     json["cutting-plane"]["point"] = to_array(view.cutting_plane->point);
@@ -189,11 +191,11 @@ std::string to_json(const View_3& view, std::span<const Camera_3> path) {
 }
 
 View_3 parse_view_3(std::string_view text) {
-  return read_view_file(text, [](const Json& json) {
+  return read_view_file(text, [](const Ordered_json& json) {
     View_3 view;
     view.camera = camera_of(object_of(json, "camera"));
     if (json.contains("cutting-plane")) {
-      const Json& plane = object_of(json, "cutting-plane");
+      const Ordered_json& plane = object_of(json, "cutting-plane");
       view.cutting_plane = {point_of(plane, "point"), point_of(plane, "normal"), {}};
       if (!(length(view.cutting_plane->normal) > 0)) refuse("a \"normal\" that is not 0");
       if (plane.contains("thickness")) view.cutting_plane->thickness = number_of(plane, "thickness");
@@ -203,11 +205,11 @@ View_3 parse_view_3(std::string_view text) {
 }
 
 std::vector<Camera_3> parse_camera_path_3(std::string_view text) {
-  return read_view_file(text, [](const Json& json) {
+  return read_view_file(text, [](const Ordered_json& json) {
     std::vector<Camera_3> path;
     if (!json.contains("camera-path")) return path;
     if (!json["camera-path"].is_array()) refuse("an array \"camera-path\" of cameras");
-    for (const Json& camera : json["camera-path"]) {
+    for (const Ordered_json& camera : json["camera-path"]) {
       if (!camera.is_object()) refuse("an array \"camera-path\" of cameras");
       path.push_back(camera_of(camera));
     }

@@ -20,7 +20,7 @@ namespace {
 constexpr double narrowest_bar = 3;     // logical pixels
 constexpr double key_step = 1.0 / 200;  // of the axis
 
-QFont small_font(const QFont& font) {
+QFont font_of_numbers(const QFont& font) {
   QFont result = font;
   if (font.pointSizeF() > 0) {
     result.setPointSizeF(font.pointSizeF() * 0.85);
@@ -63,7 +63,7 @@ Histogram_widget::Histogram_widget(QWidget* parent) : QWidget(parent), logarithm
   logarithmic_button_->setAutoRaise(true);
   logarithmic_button_->setToolTip(tr("Heights grow with the logarithm of the counts"));
   logarithmic_button_->setAccessibleName(tr("Logarithmic counts"));
-  logarithmic_button_->setFont(small_font(font()));
+  logarithmic_button_->setFont(font_of_numbers(font()));
   connect(logarithmic_button_, &QToolButton::toggled, this, qOverload<>(&QWidget::update));
   set_empty({});
 }
@@ -103,7 +103,7 @@ bool Histogram_widget::has_bins() const { return empty_text_.isEmpty() && !histo
 
 Histogram_widget::Geometry Histogram_widget::geometry() const {
   const double em = QFontMetricsF(font()).height();
-  const QFontMetricsF small(small_font(font()));
+  const QFontMetricsF small(font_of_numbers(font()));
   const double line = std::ceil(small.height());
   Geometry result;
   const QRectF inner = QRectF(rect()).adjusted(em * 0.45, 0, -em * 0.45, 0);
@@ -298,7 +298,7 @@ bool Histogram_widget::focusNextPrevChild(bool is_next) {
 
 bool Histogram_widget::event(QEvent* event) {
   if (event->type() == QEvent::FocusIn) Q_EMIT gesture_started();
-  if (event->type() == QEvent::FontChange) logarithmic_button_->setFont(small_font(font()));
+  if (event->type() == QEvent::FontChange) logarithmic_button_->setFont(font_of_numbers(font()));
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     QToolTip::showText(help->globalPos(), tool_tip(help->pos()), this);
@@ -353,7 +353,7 @@ void Histogram_widget::paintEvent(QPaintEvent*) {
   }
   const Geometry parts = geometry();
   const Histogram& shown = histogram();
-  painter.setFont(small_font(font()));
+  painter.setFont(font_of_numbers(font()));
   painter.setPen(subdued_text(palette()));
   const QFontMetricsF metrics(painter.font());
   const QString header = tr("%1, %2 elements").arg(content_.caption, grouped_count(shown.total()));

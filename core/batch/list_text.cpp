@@ -11,10 +11,10 @@ namespace mesecina {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered_json = nlohmann::ordered_json;
 
-Json to_json(const Setting_value& value) {
-  return std::visit([](const auto& v) -> Json { return v; }, value);
+Ordered_json to_json(const Setting_value& value) {
+  return std::visit([](const auto& v) -> Ordered_json { return v; }, value);
 }
 
 const char* type_name(const Setting_value& value) {
@@ -22,24 +22,25 @@ const char* type_name(const Setting_value& value) {
   return names[value.index()];
 }
 
-Json list_layers(const Registry& registry) {
-  Json list = Json::array();
+Ordered_json list_layers(const Registry& registry) {
+  Ordered_json list = Ordered_json::array();
   for (const Layer_spec& layer : registry.layers()) {
-    Json entry{{"id", layer.id}, {"label", layer.label}, {"stage", layer.stage}, {"help", with_ids(layer.help)}};
+    Ordered_json entry{
+        {"id", layer.id}, {"label", layer.label}, {"stage", layer.stage}, {"help", with_ids(layer.help)}};
     if (!layer.cut_setting.empty()) entry["limit"] = layer.cut_setting;
     list.push_back(std::move(entry));
   }
   return list;
 }
 
-Json list_settings(const Registry& registry) {
-  Json list = Json::array();
+Ordered_json list_settings(const Registry& registry) {
+  Ordered_json list = Ordered_json::array();
   for (const Setting_spec& setting : registry.settings()) {
-    Json entry{{"id", setting.id},
-               {"label", setting.label},
-               {"type", type_name(setting.default_value)},
-               {"default", to_json(setting.default_value)},
-               {"unit", setting.unit}};
+    Ordered_json entry{{"id", setting.id},
+                       {"label", setting.label},
+                       {"type", type_name(setting.default_value)},
+                       {"default", to_json(setting.default_value)},
+                       {"unit", setting.unit}};
     if (std::isfinite(setting.minimum)) entry["minimum"] = setting.minimum;
     if (std::isfinite(setting.maximum)) entry["maximum"] = setting.maximum;
     if (!setting.choices.empty()) entry["choices"] = setting.choices;
@@ -49,8 +50,8 @@ Json list_settings(const Registry& registry) {
   return list;
 }
 
-Json list_evolutions(const Registry& registry) {
-  Json list = Json::array();
+Ordered_json list_evolutions(const Registry& registry) {
+  Ordered_json list = Ordered_json::array();
   for (const Evolution_spec& evolution : registry.evolutions()) {
     list.push_back({{"id", evolution.id},
                     {"label", evolution.label},
@@ -66,12 +67,12 @@ std::string padded(std::string text, std::size_t width) {
   return text + "  ";
 }
 
-Json list_bundles(const Bundle_library& library) {
+Ordered_json list_bundles(const Bundle_library& library) {
   constexpr const char* origins[] = {"shipped", "changed", "own"};
-  Json list = Json::array();
+  Ordered_json list = Ordered_json::array();
   for (const Known_bundle& known : library.bundles) {
     const Bundle& bundle = known.bundle;
-    Json layers = Json::array();
+    Ordered_json layers = Ordered_json::array();
     for (const Layer_entry& layer : bundle.layers) layers.push_back(layer.id);
     list.push_back({{"id", bundle_id(bundle.name)},
                     {"name", bundle.name},
@@ -93,8 +94,8 @@ std::string bundles_text(const Bundle_library& library) {
   return text;
 }
 
-Json list_formats(const Formats& formats) {
-  Json list = Json::array();
+Ordered_json list_formats(const Formats& formats) {
+  Ordered_json list = Ordered_json::array();
   for (const Reader& reader : formats.readers) {
     list.push_back({{"use", "read"}, {"name", reader.name}, {"extensions", reader.extensions}});
   }
@@ -119,11 +120,11 @@ std::string range_text(const Setting_spec& setting) {
 std::string list_text(const std::string& what, bool as_json, const Registry& registry, const Formats& formats,
                       const std::filesystem::path& user_bundles) {
   if (as_json) {
-    const Json list = what == "layers"       ? list_layers(registry)
-                      : what == "settings"   ? list_settings(registry)
-                      : what == "evolutions" ? list_evolutions(registry)
-                      : what == "bundles"    ? list_bundles(read_bundle_library(user_bundles, registry))
-                                             : list_formats(formats);
+    const Ordered_json list = what == "layers"       ? list_layers(registry)
+                              : what == "settings"   ? list_settings(registry)
+                              : what == "evolutions" ? list_evolutions(registry)
+                              : what == "bundles"    ? list_bundles(read_bundle_library(user_bundles, registry))
+                                                     : list_formats(formats);
     return list.dump(2) + "\n";
   }
   std::string text;

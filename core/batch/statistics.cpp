@@ -9,7 +9,7 @@
 
 namespace mesecina {
 
-using Json = nlohmann::ordered_json;
+using Ordered_json = nlohmann::ordered_json;
 
 std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
   std::map<std::string, std::uint64_t> counts;
@@ -33,7 +33,7 @@ std::map<std::string, std::uint64_t> count_inputs(const Inputs& inputs) {
 }
 
 std::string layer_statistics(const Primitive_set* primitives, const std::string& reason) {
-  Json json;
+  Ordered_json json;
   if (!primitives) {
     json["reason"] = reason;
     return json.dump();
@@ -57,7 +57,7 @@ std::string layer_statistics(const Primitive_set* primitives, const std::string&
 }
 
 std::string to_json_line(const Input_statistics& statistics) {
-  Json json;
+  Ordered_json json;
   json["input"] = statistics.input;
   json["status"] = statistics.failed ? "failed" : statistics.refused.empty() ? "ok" : "incomplete";
   if (statistics.failed) json["reason"] = statistics.reason;
@@ -66,16 +66,16 @@ std::string to_json_line(const Input_statistics& statistics) {
   json["peak_rss_bytes"] = peak_memory();
   json["counts"] = statistics.counts;
   for (const Evolution_statistics& evolution : statistics.evolutions) {
-    Json entry{{"id", evolution.id}, {"steps", evolution.steps}, {"seconds", evolution.seconds}};
+    Ordered_json entry{{"id", evolution.id}, {"steps", evolution.steps}, {"seconds", evolution.seconds}};
     if (!evolution.end_reason.empty()) entry["reason"] = evolution.end_reason;
     json["evolutions"].push_back(std::move(entry));
   }
-  json["layers"] = Json::object();
-  for (const auto& [id, text] : statistics.layers) json["layers"][id] = Json::parse(text);
+  json["layers"] = Ordered_json::object();
+  for (const auto& [id, text] : statistics.layers) json["layers"][id] = Ordered_json::parse(text);
   if (!statistics.errors.empty()) json["error"] = statistics.errors;
   if (!statistics.notes.empty()) json["notes"] = statistics.notes;
   json["warnings"] = statistics.warnings;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, Ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::uint64_t peak_memory() {

@@ -12,7 +12,6 @@
 namespace mesecina {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::size_t most_warnings = 20;
 
 std::string_view trim(std::string_view text) {

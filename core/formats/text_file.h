@@ -26,6 +26,9 @@ Text_file load_bytes(const std::filesystem::path& path);
 /// bytes and so is no text.
 Text_file load_text(const std::filesystem::path& path);
 
+/// What lies between the words of a file.
+inline constexpr std::string_view blanks = " \t\r\n\v\f";
+
 /// At most 40 characters of `found` between quotes, unprintable ones as '?'; "nothing" when it is empty.
 std::string quote(std::string_view found);
 

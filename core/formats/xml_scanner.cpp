@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "core/formats/format.h"
+#include "core/formats/text_file.h"
 
 namespace mesecina {
 namespace {
-
-constexpr std::string_view blanks = " \t\r\n\v\f";
 
 void append_utf8(std::string& text, std::uint32_t code) {
   const auto trail = [&](int shift) { text += static_cast<char>(0x80 | ((code >> shift) & 0x3F)); };

@@ -9,6 +9,7 @@
 
 #include "geometries/power_crust_2/circle_center.h"
 #include "geometries/power_crust_2/power_crust_2.h"
+#include "geometries/power_crust_2/unit_vector.h"
 
 namespace mesecina {
 
@@ -111,11 +112,6 @@ std::vector<Hull_neighbors> find_hull(const Delaunay_2& triangulation) {
     }
   }
   return hull;
-}
-
-Point_2 unit_vector(const Point_2& from, const Point_2& to) {
-  const double length = distance(from, to);
-  return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
 
 /// The unit vector along the sum of the outward unit normals of the hull edges at s.

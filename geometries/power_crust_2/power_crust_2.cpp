@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometries/pole_labelling.h"
+#include "geometries/power_crust_2/unit_vector.h"
 
 namespace mesecina {
 
@@ -44,11 +45,6 @@ Neighbors find_neighbors(const Regular_2& regular) {
   for (std::size_t d = 0; d + 1 < result.offsets.size(); ++d)
     std::sort(result.disks.begin() + result.offsets[d], result.disks.begin() + result.offsets[d + 1]);
   return result;
-}
-
-Point_2 unit_vector(const Point_2& from, const Point_2& to) {
-  const double length = distance(from, to);
-  return {(to.x - from.x) / length, (to.y - from.y) / length};
 }
 
 /// Of the angle between the directions from `at` to p and q.

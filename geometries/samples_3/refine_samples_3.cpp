@@ -32,13 +32,13 @@ constexpr double cosine_of_smooth = 0.9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Per vertex of the triangulation its cells.
-struct Stars {
+struct Cells_at_samples {
   std::vector<int> offsets;
   std::vector<int> cells;
 };
 
-Stars stars_of(const Delaunay_3& delaunay) {
-  Stars stars;
+Cells_at_samples stars_of(const Delaunay_3& delaunay) {
+  Cells_at_samples stars;
   stars.offsets.assign(delaunay.points.size() + 1, 0);
   for (const auto& corners : delaunay.cells)
     for (const int v : corners) ++stars.offsets[v + 1];
@@ -58,7 +58,7 @@ void grade(const Delaunay_3& delaunay, const std::vector<double>& before, std::v
   for (std::size_t s = 0; s < wanted.size(); ++s)
     if (wanted[s] < before[s]) lowered.push_back(static_cast<int>(s));
   if (lowered.empty()) return;
-  const Stars stars = stars_of(delaunay);
+  const Cells_at_samples stars = stars_of(delaunay);
   const auto for_neighbors = [&](int sample, const auto& use) {
     for (int k = stars.offsets[sample]; k < stars.offsets[sample + 1]; ++k)
       for (const int other : delaunay.cells[stars.cells[k]])

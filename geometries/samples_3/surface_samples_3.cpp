@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::size_t most_samples = 20'000'000;
 /// Of the distance within which every point of the surface shall have a sample.
-constexpr double spacing_part = 0.7;
+constexpr double covering_part = 0.7;
 
 /// Takes points that keep their distance from those before.
 class Spaced_samples {
  public:
-  explicit Spaced_samples(double distance) : spacing_(spacing_part * distance), grid_(spacing_) {
+  explicit Spaced_samples(double distance) : spacing_(covering_part * distance), grid_(spacing_) {
     samples_.covering_radius = distance;
   }
 

@@ -19,8 +19,8 @@ namespace mesecina {
 
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Smallest_ball = CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double>>;
+using Plain_kernel = CGAL::Simple_cartesian<double>;
+using Smallest_ball = CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Plain_kernel, double>>;
 
 /// The circle in which the spheres of the ends of an edge meet.
 struct Circle_of_edge {
@@ -142,7 +142,7 @@ std::vector<double> slope_of_vertices(const Medial_complex_3& complex, Progress&
   std::vector<double> slopes(complex.centers.size(), 1);
   constexpr std::size_t block = 2048;
   parallel_blocks((slopes.size() + block - 1) / block, progress, [&](std::size_t b) {
-    std::vector<Kernel::Point_3> directions;
+    std::vector<Plain_kernel::Point_3> directions;
     for (std::size_t v = b * block; v < std::min(slopes.size(), (b + 1) * block); ++v) {
       directions.clear();
       for (int i = offsets[v]; i < offsets[v + 1]; ++i) {

@@ -11,25 +11,25 @@ namespace {
 
 using Weighted_point = CGAL::Exact_predicates_inexact_constructions_kernel::Weighted_point_3;
 
-struct Vector {
+struct Displacement {
   double x, y, z;
 };
-double dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Vector cross(const Vector& u, const Vector& v) {
+double dot(const Displacement& u, const Displacement& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+Displacement cross(const Displacement& u, const Displacement& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
 /// A ball as seen from another one, the first. The center of a sphere orthogonal to both has, from there, the dot
 /// product `half` with `away`.
 struct Seen {
-  Vector away;
+  Displacement away;
   double square;  ///< of the distance
   double half;
   double size;  ///< at least twice `half`, and what it is made of
 };
 
 Seen seen(const Weighted_point& from, const Weighted_point& p) {
-  const Vector away{p.x() - from.x(), p.y() - from.y(), p.z() - from.z()};
+  const Displacement away{p.x() - from.x(), p.y() - from.y(), p.z() - from.z()};
   const double square = dot(away, away);
   const double weight = from.weight() - p.weight();
   return {away, square, (square + weight) / 2, square + std::abs(weight)};
@@ -72,11 +72,12 @@ CGAL::Comparison_result quick_sign(const Weighted_point& a, const Weighted_point
   const Seen u = seen(a, b);
   const Seen v = seen(a, c);
   const Seen w = seen(a, d);
-  const Vector vw = cross(v.away, w.away);
-  const Vector wu = cross(w.away, u.away);
-  const Vector uv = cross(u.away, v.away);
-  const Vector center{u.half * vw.x + v.half * wu.x + w.half * uv.x, u.half * vw.y + v.half * wu.y + w.half * uv.y,
-                      u.half * vw.z + v.half * wu.z + w.half * uv.z};
+  const Displacement vw = cross(v.away, w.away);
+  const Displacement wu = cross(w.away, u.away);
+  const Displacement uv = cross(u.away, v.away);
+  const Displacement center{u.half * vw.x + v.half * wu.x + w.half * uv.x,
+                            u.half * vw.y + v.half * wu.y + w.half * uv.y,
+                            u.half * vw.z + v.half * wu.z + w.half * uv.z};
   const double volume = dot(u.away, vw);
   const double square = std::max({u.square, v.square, w.square});
   const double size = std::max({u.size, v.size, w.size});

@@ -11,21 +11,21 @@ namespace mesecina {
 
 namespace {
 
-using Interval = CGAL::Interval_nt<false>;
+using Unprotected_interval = CGAL::Interval_nt<false>;
 using Rational = CGAL::Exact_rational;
 
 template <class Number>
 using Coordinates = std::array<Number, 3>;
 
 /// A ball as the regular triangulation knows it.
-struct Weighted_point {
+struct Weighted_center {
   Point_3 center;
   double weight = 0;
 };
 
 /// From the center of the first ball to the point of equal power distance to all four.
 template <class Number>
-Coordinates<Number> offset_of_power_center(const std::array<Weighted_point, 4>& balls) {
+Coordinates<Number> offset_of_power_center(const std::array<Weighted_center, 4>& balls) {
   const Point_3& origin = balls[0].center;
   std::array<Coordinates<Number>, 3> to{};
   Coordinates<Number> power{};
@@ -46,11 +46,11 @@ Coordinates<Number> offset_of_power_center(const std::array<Weighted_point, 4>& 
 }
 
 /// Wants upward rounding.
-Point_3 rounded_power_center(const std::array<Weighted_point, 4>& balls, double error) {
-  const auto rough = offset_of_power_center<Interval>(balls);
-  const auto is_sure = [error](const Interval& x) { return x.sup() - x.inf() <= error; };
+Point_3 rounded_power_center(const std::array<Weighted_center, 4>& balls, double error) {
+  const auto rough = offset_of_power_center<Unprotected_interval>(balls);
+  const auto is_sure = [error](const Unprotected_interval& x) { return x.sup() - x.inf() <= error; };
   if (std::ranges::all_of(rough, is_sure)) {
-    const auto middle = [](const Interval& x) { return (x.inf() + x.sup()) / 2; };
+    const auto middle = [](const Unprotected_interval& x) { return (x.inf() + x.sup()) / 2; };
     return balls[0].center + Point_3{middle(rough[0]), middle(rough[1]), middle(rough[2])};
   }
   const auto sure = offset_of_power_center<Rational>(balls);
@@ -62,12 +62,12 @@ Point_3 rounded_power_center(const std::array<Weighted_point, 4>& balls, double 
 }  // namespace
 
 Point_3 power_center(const Regular_3& regular, int cell, double error) {
-  std::array<Weighted_point, 4> balls{};
+  std::array<Weighted_center, 4> balls{};
   for (int i = 0; i < 4; ++i) {
     const auto& [center, radius] = regular.balls[regular.cells[cell][i]];
     balls[i] = {center, radius * radius};
   }
-  std::ranges::stable_sort(balls, {}, &Weighted_point::weight);
+  std::ranges::stable_sort(balls, {}, &Weighted_center::weight);
   const CGAL::Protect_FPU_rounding<true> upward_rounding;
   return rounded_power_center(balls, error);
 }

@@ -7,7 +7,7 @@ namespace mesecina {
 namespace {
 
 Inputs one_point(double x) { return Inputs().with(points_input, std::vector<Point_2>{{x, 0}}); }
-double x_of(const Inputs& inputs) { return inputs.get(points_input)->front().x; }
+double first_x(const Inputs& inputs) { return inputs.get(points_input)->front().x; }
 
 /// A document with a point at 0, which evolutions move.
 class Track : public testing::Test {
@@ -22,16 +22,16 @@ class Track : public testing::Test {
       document_.go_to(document_.step_count());
       const Evolution_state before = state();
       document_.add_step(spec(label, {"pace"}), document_.position(), before,
-                         {one_point(x_of(before.inputs) + 1), before.settings}, follows);
+                         {one_point(first_x(before.inputs) + 1), before.settings}, follows);
     }
   }
   std::vector<double> places() const {
     std::vector<double> result;
     if (document_.track())
-      for (const auto& place : document_.track()->places) result.push_back(x_of(place.inputs));
+      for (const auto& place : document_.track()->places) result.push_back(first_x(place.inputs));
     return result;
   }
-  double x() const { return x_of(document_.inputs()); }
+  double x() const { return first_x(document_.inputs()); }
   void undo() { document_.history().undo(); }
   void redo() { document_.history().redo(); }
   int undo_steps() { return document_.history().count(); }

@@ -32,7 +32,7 @@ Registry example() {
   return registry;
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_sweep(const std::string& text) {
   try {
     parse_sweep(example(), text);
   } catch (const std::invalid_argument& error) {
@@ -99,16 +99,16 @@ TEST(Sweep, is_read_and_written) {
 }
 
 TEST(Sweep, refuses_what_is_none) {
-  EXPECT_THAT(refusal("scale-limit"), HasSubstr("ID=FROM:TO:STEPS"));
-  EXPECT_THAT(refusal("scale-limit=1:2"), HasSubstr("ID=FROM:TO:STEPS"));
-  EXPECT_THAT(refusal("scale-limit=1:two:3"), HasSubstr("'two'"));
-  EXPECT_THAT(refusal("scale-limit=1:2:0"), HasSubstr("'0'"));
-  EXPECT_THAT(refusal("scale-limit=1:2:2.5"), HasSubstr("'2.5'"));
-  EXPECT_THAT(refusal("scale-limit=1:2:3:fast"), HasSubstr("'fast'"));
-  EXPECT_THAT(refusal("scale-limt=1:2:3"), HasSubstr("did you mean 'scale-limit'"));
-  EXPECT_THAT(refusal("is-on=0:1:3"), HasSubstr("is no number"));
-  EXPECT_THAT(refusal("scale-limit=0.5:2:3"), HasSubstr("0.5"));
-  EXPECT_THAT(refusal("scale-limit=1:inf:3"), HasSubstr("inf"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit"), HasSubstr("ID=FROM:TO:STEPS"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:2"), HasSubstr("ID=FROM:TO:STEPS"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:two:3"), HasSubstr("'two'"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:2:0"), HasSubstr("'0'"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:2:2.5"), HasSubstr("'2.5'"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:2:3:fast"), HasSubstr("'fast'"));
+  EXPECT_THAT(refusal_of_sweep("scale-limt=1:2:3"), HasSubstr("did you mean 'scale-limit'"));
+  EXPECT_THAT(refusal_of_sweep("is-on=0:1:3"), HasSubstr("is no number"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=0.5:2:3"), HasSubstr("0.5"));
+  EXPECT_THAT(refusal_of_sweep("scale-limit=1:inf:3"), HasSubstr("inf"));
 }
 
 TEST(Film_name, says_what_it_is) {

@@ -7,7 +7,7 @@
 namespace mesecina {
 namespace {
 
-Registry small_registry() {
+Registry registry_with_help() {
   Registry registry;
   registry.begin_module({"module", "Module", "For tests."});
   Layer_spec layer;
@@ -24,13 +24,13 @@ Registry small_registry() {
 
 TEST(Help_text, NamesByLabelsInWindowsAndByIdsElsewhere) {
   const std::string text = "{grow-balls} takes what {ball-source} says; {label-conflicts} shows where.";
-  EXPECT_EQ(with_labels(text, small_registry()),
+  EXPECT_EQ(with_labels(text, registry_with_help()),
             "“Growing” takes what “Ball source” says; “Label conflicts” shows where.");
   EXPECT_EQ(with_ids(text), "grow-balls takes what ball-source says; label-conflicts shows where.");
 }
 
 TEST(Help_text, LeavesOtherBraces) {
-  const Registry registry = small_registry();
+  const Registry registry = registry_with_help();
   for (const char* text :
        {"", "none", "{", "}", "{}", "an open {ball-source", "{\"center\": [x, y]}", "{Ball-source}"}) {
     EXPECT_EQ(with_labels(text, registry), text);

@@ -61,7 +61,7 @@ std::string whole_layer(bool is_active, int size) {
 std::string bundle(const std::string& layers) { return block(number(0xB2, 4) + number(1, 4) + layers); }
 std::string file(const std::string& bundles) { return number(0xB3, 4) + number(1, 4) + bundles; }
 
-std::string refusal(const std::string& bytes) {
+std::string refusal_of_bytes(const std::string& bytes) {
   try {
     parse_historical_bundles(bytes, planar_registry());
   } catch (const std::invalid_argument& error) {
@@ -122,7 +122,7 @@ TEST(Historical_bundles, EveryTruncationIsRefusedOrReadAndNothingBehindTheEnd) {
   int read = 0;
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     const std::string part = bytes.substr(0, length);
-    const std::string reason = refusal(std::string(part));
+    const std::string reason = refusal_of_bytes(std::string(part));
     if (reason == "nothing was thrown")
       ++read;
     else
@@ -133,10 +133,10 @@ TEST(Historical_bundles, EveryTruncationIsRefusedOrReadAndNothingBehindTheEnd) {
 }
 
 TEST(Historical_bundles, RefusalsSayWhere) {
-  EXPECT_EQ(refusal("abcd"), "byte 0: expected the mark of a file of bundles 0xB3, found 0x61626364");
-  EXPECT_EQ(refusal(file(number(100, 4) + "ab")),
+  EXPECT_EQ(refusal_of_bytes("abcd"), "byte 0: expected the mark of a file of bundles 0xB3, found 0x61626364");
+  EXPECT_EQ(refusal_of_bytes(file(number(100, 4) + "ab")),
             "byte 12: expected a name of a bundle of 100 bytes, found 2 bytes to the end");
-  EXPECT_EQ(refusal(file(text("a") + block(number(0xB1, 4)))),
+  EXPECT_EQ(refusal_of_bytes(file(text("a") + block(number(0xB1, 4)))),
             "byte 18: expected the mark of a bundle 0xB2, found 0xB1");
 }
 

@@ -47,14 +47,14 @@ std::string binary_header(bool is_big_endian, const std::string& rest) {
          "end_header\n";
 }
 
-const Triangle_mesh_3 square{{{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}}, {{0, 1, 2}, {0, 2, 3}}};
+const Triangle_mesh_3 two_triangles{{{0, 0, 0.5}, {1, 0, 0.5}, {1, 1, 0.5}, {0, 1, 0.5}}, {{0, 1, 2}, {0, 2, 3}}};
 
 class Ply_reader_test : public testing::Test {
  protected:
   void expect_square(const std::string& text) const {
     const File_contents contents = folder_.read("a.ply", text);
     ASSERT_EQ(contents.inputs.ids(), std::vector<std::string>{"mesh"});
-    EXPECT_EQ(*contents.inputs.get(mesh_input), square);
+    EXPECT_EQ(*contents.inputs.get(mesh_input), two_triangles);
     EXPECT_THAT(contents.warnings, IsEmpty());
   }
   void expect_error(const std::string& text, int line, std::string_view expected, std::string_view found) const {
@@ -89,7 +89,7 @@ TEST_F(Ply_reader_test, Binary) {
                                      "element vertex 4\nproperty float x\nproperty double y\nproperty uchar red\n"
                                      "property float z\nelement face 1\nproperty list uchar uint vertex_indices\n");
     Bytes bytes(big);
-    for (const Point_3& p : square.vertices)
+    for (const Point_3& p : two_triangles.vertices)
       bytes.add(static_cast<float>(p.x), p.y, std::uint8_t{255}, static_cast<float>(p.z));
     bytes.add(std::uint8_t{4}, std::uint32_t{0}, std::uint32_t{1}, std::uint32_t{2}, std::uint32_t{3});
     expect_square(text + bytes.text());

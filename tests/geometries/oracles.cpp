@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "tests/geometries/results.h"
+
 namespace mesecina::test {
 
 namespace {
@@ -26,8 +28,6 @@ Rational dot(const Exact_point& origin, const Exact_point& p, const Exact_point&
 int sign(const Rational& value) { return static_cast<int>(CGAL::sign(value)); }
 
 bool lexicographically_less(const Point_2& p, const Point_2& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 testing::AssertionResult sites_are_right(const Delaunay_2& d, std::span<const Point_2> points) {
   if (!std::ranges::equal(d.points, points)) return failure() << "points are not those given";

@@ -9,13 +9,13 @@
 #include "geometries/medial_filtrations_2/ball_scale_2.h"
 #include "geometries/modules_2.h"
 #include "tests/geometries/oracles.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 
 /// Shapes whose samples are cocircular by the hundred, exactly or but for rounding.
 namespace mesecina::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Where radii are equal but for rounding the quotient is anything from here on.
 constexpr double practically_infinite = 1e5;
 

@@ -10,12 +10,11 @@
 
 #include "geometries/filtration/filtration.h"
 #include "tests/geometries/oracles.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 
 namespace mesecina::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Graph_with_values {
   std::size_t vertex_count = 0;

@@ -6,12 +6,11 @@
 
 #include "core/outcome.h"
 #include "geometries/samples_2/samples_2.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 
 namespace mesecina::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Walks along the rings and the samples at once.
 void expect_sampling(const Outline_2& outline, double step) {

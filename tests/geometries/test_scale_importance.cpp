@@ -7,13 +7,12 @@
 
 #include "geometries/medial_axis_2/medial_axis_2.h"
 #include "geometries/scale_importance/scale_importance.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/growth.h"
 
 namespace mesecina::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Disks {
   std::vector<Point_2> centers;

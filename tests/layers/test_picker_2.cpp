@@ -16,8 +16,8 @@ using test::layer_of;
 using test::pixel_view;
 using test::scene_of;
 
-constexpr double width = 400;
-constexpr double height = 300;
+constexpr double view_width = 400;
+constexpr double view_height = 300;
 
 /// Distance to a curve by walking along it.
 double walked_distance(const Point_2& p, const std::function<Point_2(double)>& curve) {
@@ -28,8 +28,8 @@ double walked_distance(const Point_2& p, const std::function<Point_2(double)>& c
 
 /// Random elements of all kinds that are curves or points, with few of each so that walking is affordable.
 Primitive_set random_curves(std::mt19937& random) {
-  std::uniform_real_distribution<double> x(0, width);
-  std::uniform_real_distribution<double> y(0, height);
+  std::uniform_real_distribution<double> x(0, view_width);
+  std::uniform_real_distribution<double> y(0, view_height);
   std::uniform_real_distribution<double> angle(0, 2 * M_PI);
   Primitive_set set;
   const auto vertex = [&](const Point_2& p) {
@@ -94,8 +94,8 @@ double brute_force_distance(const Primitive_set& set, std::size_t element, const
 
 TEST(Picker_2, finds_the_nearest_curve_as_brute_force_does) {
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> x(0, width);
-  std::uniform_real_distribution<double> y(0, height);
+  std::uniform_real_distribution<double> x(0, view_width);
+  std::uniform_real_distribution<double> y(0, view_height);
   int hits = 0;
   for (int round = 0; round < 6; ++round) {
     Picker_2 picker;
@@ -103,13 +103,14 @@ TEST(Picker_2, finds_the_nearest_curve_as_brute_force_does) {
     const Primitive_set& set = *scene.layers[0].primitives;
     for (int i = 0; i < 40; ++i) {
       const Point_2 p{x(random), y(random)};
-      const Point_2 pixel = pixel_view(width, height).to_pixel(p, width, height);
+      const Point_2 pixel = pixel_view(view_width, view_height).to_pixel(p, view_width, view_height);
       const double tolerance = 8;
       const double half_line = scene.layers[0].style.line_width / 2;
       double nearest = 1e300;
       for (std::size_t e = 0; e < set.element_count(); ++e)
         nearest = std::min(nearest, brute_force_distance(set, e, p));
-      const auto hit = picker.pick(scene, pixel_view(width, height), width, height, pixel, tolerance);
+      const auto hit =
+          picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, pixel, tolerance);
       if (std::abs(nearest - tolerance - half_line) < 0.3) continue;
       ASSERT_EQ(hit.has_value(), nearest < tolerance + half_line) << "round " << round << " query " << i;
       if (!hit) continue;
@@ -133,7 +134,7 @@ TEST(Picker_2, points_come_before_curves_before_areas) {
   const Scene scene = scene_of(std::move(layer));
   Picker_2 picker;
   const auto pick = [&](double x, double y) {
-    return picker.pick(scene, pixel_view(width, height), width, height, {x, height - y}, 5);
+    return picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {x, view_height - y}, 5);
   };
   EXPECT_EQ(pick(105, 100)->element, 0U);
   EXPECT_NEAR(pick(105, 100)->distance, 2, 1e-9);
@@ -153,7 +154,7 @@ TEST(Picker_2, equal_hits_go_to_the_layer_on_top) {
   scene.layers = {layer_of(set, "below"), layer_of(set, "above"), layer_of(set, "hidden")};
   scene.layers[2].style.visible = false;
   Picker_2 picker;
-  EXPECT_EQ(picker.pick(scene, pixel_view(width, height), width, height, {100, 200}, 5)->layer, 1U);
+  EXPECT_EQ(picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {100, 200}, 5)->layer, 1U);
 }
 
 TEST(Picker_2, tolerance_is_in_pixels_whatever_the_scale) {
@@ -165,8 +166,8 @@ TEST(Picker_2, tolerance_is_in_pixels_whatever_the_scale) {
   const Scene scene = scene_of(std::move(layer));
   const View_2 view{{1e-3, 2e-3}, 1e6};
   Picker_2 picker;
-  EXPECT_TRUE(picker.pick(scene, view, width, height, {width / 2 + 5.5, height / 2}, 5));
-  EXPECT_FALSE(picker.pick(scene, view, width, height, {width / 2 + 6.5, height / 2}, 5));
+  EXPECT_TRUE(picker.pick(scene, view, view_width, view_height, {view_width / 2 + 5.5, view_height / 2}, 5));
+  EXPECT_FALSE(picker.pick(scene, view, view_width, view_height, {view_width / 2 + 6.5, view_height / 2}, 5));
 }
 
 TEST(Picker_2, follows_cut_and_thresholds) {
@@ -177,7 +178,7 @@ TEST(Picker_2, follows_cut_and_thresholds) {
   Scene scene = scene_of(layer_of(std::move(set)));
   Picker_2 picker;
   const auto is_hit = [&] {
-    return picker.pick(scene, pixel_view(width, height), width, height, {100, 200}, 5).has_value();
+    return picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {100, 200}, 5).has_value();
   };
   EXPECT_TRUE(is_hit());
   scene.layers[0].cut = Cut{"scale", 3};
@@ -201,7 +202,7 @@ TEST(Picker_2, polygons_are_filled_together) {
   Scene scene = scene_of(layer);
   Picker_2 picker;
   const auto pick = [&](double x, double y) {
-    return picker.pick(scene, pixel_view(width, height), width, height, {x, height - y}, 5);
+    return picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {x, view_height - y}, 5);
   };
   EXPECT_EQ(pick(45, 140)->element, 0U);
   EXPECT_FALSE(pick(85, 140)) << "the hole";
@@ -218,7 +219,7 @@ TEST(Picker_2, triangles_by_area_or_outline) {
   Scene scene = scene_of(layer_of(std::move(set)));
   Picker_2 picker;
   const auto pick = [&](double x, double y) {
-    return picker.pick(scene, pixel_view(width, height), width, height, {x, height - y}, 3);
+    return picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {x, view_height - y}, 3);
   };
   EXPECT_FALSE(pick(125, 125));
   EXPECT_TRUE(pick(150, 98));
@@ -237,7 +238,7 @@ TEST(Picker_2, arcs_are_hit_on_their_line_only) {
   Scene scene = scene_of(layer);
   Picker_2 picker;
   const auto pick = [&](double x, double y) {
-    return picker.pick(scene, pixel_view(width, height), width, height, {x, height - y}, 5);
+    return picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {x, view_height - y}, 5);
   };
   for (const bool filled : {true, false}) {
     scene.layers[0].style.filled = filled;
@@ -265,14 +266,16 @@ TEST(Picker_2, a_new_set_at_the_address_of_an_old_one_is_indexed_anew) {
     set.vertices = {{10.0 + 5 * i, 100, 0}};
     set.points = {0};
     const Scene scene = scene_of(layer_of(std::move(set)));
-    EXPECT_TRUE(picker.pick(scene, pixel_view(width, height), width, height, {10.0 + 5 * i, 200}, 2)) << i;
+    EXPECT_TRUE(
+        picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {10.0 + 5 * i, 200}, 2))
+        << i;
   }
 }
 
 TEST(Picker_2, stays_quick_with_many_segments) {
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> x(0, width);
-  std::uniform_real_distribution<double> y(0, height);
+  std::uniform_real_distribution<double> x(0, view_width);
+  std::uniform_real_distribution<double> y(0, view_height);
   Primitive_set set;
   for (int i = 0; i < 300000; ++i) {
     const Point_2 p{x(random), y(random)};
@@ -283,10 +286,11 @@ TEST(Picker_2, stays_quick_with_many_segments) {
   const Scene scene = scene_of(layer_of(std::move(set)));
   Picker_2 picker;
   const auto start = std::chrono::steady_clock::now();
-  picker.pick(scene, pixel_view(width, height), width, height, {1, 1}, 4);
+  picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {1, 1}, 4);
   const auto built = std::chrono::steady_clock::now();
   for (int i = 0; i < 200; ++i)
-    EXPECT_TRUE(picker.pick(scene, pixel_view(width, height), width, height, {x(random), y(random)}, 4));
+    EXPECT_TRUE(
+        picker.pick(scene, pixel_view(view_width, view_height), view_width, view_height, {x(random), y(random)}, 4));
   const auto end = std::chrono::steady_clock::now();
   const auto milliseconds = [](auto d) { return std::chrono::duration<double, std::milli>(d).count(); };
   // Ten times what is promised, for machines that do other things meanwhile.

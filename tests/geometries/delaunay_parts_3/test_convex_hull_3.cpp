@@ -15,9 +15,9 @@
 namespace mesecina::test {
 namespace {
 
-using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
-Exact::Point_3 exact(const Point_3& p) { return {p.x, p.y, p.z}; }
+Exact_kernel::Point_3 exact_point(const Point_3& p) { return {p.x, p.y, p.z}; }
 
 Outcome<Primitive_set> hull_of(const Cloud& cloud) {
   Graph graph(make_registry_3());
@@ -39,11 +39,11 @@ TEST(Convex_hull_3, EveryPointLiesBehindEveryTriangle) {
     const auto hull = hull_of(cloud);
     ASSERT_TRUE(hull) << hull.reason;
     for (const auto& [a, b, c] : hull.value->triangles) {
-      const auto p = exact(hull.value->vertices[a]);
-      const auto q = exact(hull.value->vertices[b]);
-      const auto r = exact(hull.value->vertices[c]);
+      const auto p = exact_point(hull.value->vertices[a]);
+      const auto q = exact_point(hull.value->vertices[b]);
+      const auto r = exact_point(hull.value->vertices[c]);
       ASSERT_FALSE(CGAL::collinear(p, q, r));
-      for (const Point_3& point : cloud) ASSERT_NE(CGAL::orientation(p, q, r, exact(point)), CGAL::POSITIVE);
+      for (const Point_3& point : cloud) ASSERT_NE(CGAL::orientation(p, q, r, exact_point(point)), CGAL::POSITIVE);
     }
     const auto found = topology(*hull.value);
     ASSERT_TRUE(found);

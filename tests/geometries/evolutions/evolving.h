@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/evolution.h"
+#include "geometries/modules_2.h"
 
 namespace mesecina::test {
 
@@ -33,6 +34,11 @@ inline Evolved run_steps(const std::shared_ptr<const Registry>& registry, Inputs
   Progress progress;
   Evolution_result result = evolve(graph, id, steps, progress);
   return {graph.inputs(), graph.settings(), std::move(result)};
+}
+
+/// In the plane.
+inline Evolved evolved_2(Inputs inputs, const std::string& id, std::uint64_t steps, Settings settings = {}) {
+  return run_steps(make_registry_2(), std::move(inputs), id, steps, std::move(settings));
 }
 
 }  // namespace mesecina::test

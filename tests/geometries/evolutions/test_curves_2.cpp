@@ -20,10 +20,6 @@ using testing::HasSubstr;
 
 using Points = std::vector<Point_2>;
 
-Evolved evolved(Inputs inputs, const std::string& id, std::uint64_t steps, Settings settings = {}) {
-  return run_steps(make_registry_2(), std::move(inputs), id, steps, std::move(settings));
-}
-
 Inputs with_points(Points points) { return Inputs().with(points_input, std::move(points)); }
 Inputs with_ring(Ring_2 ring) { return Inputs().with(outline_input, Outline_2{{std::move(ring)}}); }
 
@@ -50,10 +46,10 @@ TEST(Laplacian_smoothing_2, ACircleShrinksByItsCosine) {
     const double per_step = 1 - factor * (1 - std::cos(2 * std::numbers::pi / count));
     const double radius = 2 * std::pow(per_step, steps);
     const Settings settings = Settings().with("smoothing-factor", factor);
-    const Evolved points = evolved(with_points(circle(count)), "laplacian-smoothing", steps, settings);
+    const Evolved points = evolved_2(with_points(circle(count)), "laplacian-smoothing", steps, settings);
     EXPECT_EQ(points.result.steps_done, 7u);
     expect_radius(points[points_input], radius, 1e-12);
-    const Evolved ring = evolved(with_ring(circle(count)), "laplacian-smoothing", steps, settings);
+    const Evolved ring = evolved_2(with_ring(circle(count)), "laplacian-smoothing", steps, settings);
     expect_radius(ring[outline_input].rings[0], radius, 1e-12);
   }
 }
@@ -65,14 +61,14 @@ TEST(Laplacian_smoothing_2, WithKeptSizeACircleStaysAndZigzagGoes) {
   const Settings keeps = Settings().with("smoothing-keeps-size", true);
   for (const double factor : {0.3, 0.5, 0.69, 1.0}) {
     const Evolved result =
-        evolved(with_ring(jagged), "laplacian-smoothing", 100, keeps.with("smoothing-factor", factor));
+        evolved_2(with_ring(jagged), "laplacian-smoothing", 100, keeps.with("smoothing-factor", factor));
     expect_radius(result[outline_input].rings[0], 2.02, 0.01);
     const auto& ring = result[outline_input].rings[0];
     for (int i = 0; i < count; ++i) EXPECT_NEAR(norm(ring[i]), norm(ring[(i + 1) % count]), 2e-3);
   }
-  const Evolved shrunk = evolved(with_ring(jagged), "laplacian-smoothing", 2000);
+  const Evolved shrunk = evolved_2(with_ring(jagged), "laplacian-smoothing", 2000);
   EXPECT_LT(norm(shrunk[outline_input].rings[0][0]), 1.5);
-  const Evolved kept = evolved(with_ring(jagged), "laplacian-smoothing", 2000, keeps);
+  const Evolved kept = evolved_2(with_ring(jagged), "laplacian-smoothing", 2000, keeps);
   EXPECT_NEAR(norm(kept[outline_input].rings[0][0]), 2, 0.2);
 }
 
@@ -94,12 +90,12 @@ TEST(Laplacian_smoothing_2, NoWaveEverGrows) {
 TEST(Laplacian_smoothing_2, PointsWithoutTwoNeighboursStay) {
   Points arc = spiral_arc(60);
   arc.push_back({100, 100});
-  const Evolved result = evolved(with_points(arc), "laplacian-smoothing", 3);
+  const Evolved result = evolved_2(with_points(arc), "laplacian-smoothing", 3);
   const Points& smooth = result[points_input];
   ASSERT_EQ(smooth.size(), arc.size());
   EXPECT_EQ(smooth.back(), arc.back());
   EXPECT_NE(smooth[30], arc[30]);
-  const Evolved line = evolved(with_points({{0, 0}, {1, 0}, {3, 0}, {4, 0}}), "laplacian-smoothing", 1);
+  const Evolved line = evolved_2(with_points({{0, 0}, {1, 0}, {3, 0}, {4, 0}}), "laplacian-smoothing", 1);
   EXPECT_THAT(line[points_input],
               testing::ElementsAre(Point_2{0, 0}, Point_2{1.25, 0}, Point_2{2.75, 0}, Point_2{4, 0}));
 }
@@ -108,30 +104,30 @@ TEST(Laplacian_smoothing_2, EqualPointsStayTogetherAndPointsBesideAnOutlineFollo
   Points points = circle(30);
   points.push_back(points[7]);
   points.push_back(points[7]);
-  const Evolved twice = evolved(with_points(points), "laplacian-smoothing", 4);
+  const Evolved twice = evolved_2(with_points(points), "laplacian-smoothing", 4);
   EXPECT_EQ(twice[points_input][30], twice[points_input][7]);
   EXPECT_EQ(twice[points_input][31], twice[points_input][7]);
   EXPECT_NE(twice[points_input][7], points[7]);
   const Inputs both = with_points(circle(30)).with(outline_input, Outline_2{{circle(35, 2.1)}});
-  EXPECT_EQ(evolved(both, "laplacian-smoothing", 4)[points_input],
-            evolved(with_points(circle(30)), "laplacian-smoothing", 4)[points_input]);
+  EXPECT_EQ(evolved_2(both, "laplacian-smoothing", 4)[points_input],
+            evolved_2(with_points(circle(30)), "laplacian-smoothing", 4)[points_input]);
 }
 
 TEST(Curve_evolutions_2, SayWhyThereIsNothingToChange) {
   for (const char* id : {"laplacian-smoothing", "subdivision", "noise"}) {
-    EXPECT_THAT(evolved({}, id, 3).result.end_reason, HasSubstr("there is no curve")) << id;
+    EXPECT_THAT(evolved_2({}, id, 3).result.end_reason, HasSubstr("there is no curve")) << id;
     for (const Points& points : {Points{{1, 2}}, Points{{1, 2}, {1, 2}}, Points{{1, 2}, {3, 4}}}) {
-      const Evolved result = evolved(with_points(points), id, 3);
+      const Evolved result = evolved_2(with_points(points), id, 3);
       EXPECT_EQ(result.result.steps_done, 0u) << id;
       EXPECT_THAT(result.result.end_reason, HasSubstr("two neighbours")) << id;
       EXPECT_EQ(result[points_input], points) << id;
     }
-    EXPECT_NE(evolved(with_ring({{0, 0}, {1, 0}}), id, 1).result.end_reason, "") << id;
+    EXPECT_NE(evolved_2(with_ring({{0, 0}, {1, 0}}), id, 1).result.end_reason, "") << id;
   }
-  EXPECT_EQ(evolved(with_points(circle(20)), "laplacian-smoothing", 3, Settings().with("smoothing-factor", 0.0))
+  EXPECT_EQ(evolved_2(with_points(circle(20)), "laplacian-smoothing", 3, Settings().with("smoothing-factor", 0.0))
                 .result.end_reason,
             "nothing changes any more");
-  EXPECT_EQ(evolved(with_points(circle(20)), "noise", 3, Settings().with("noise-amplitude", 0.0)).result.end_reason,
+  EXPECT_EQ(evolved_2(with_points(circle(20)), "noise", 3, Settings().with("noise-amplitude", 0.0)).result.end_reason,
             "nothing changes any more");
 }
 
@@ -147,7 +143,7 @@ Point_2 spline_at(const Ring_2& ring, std::size_t i) {
 TEST(Subdivision_2, ARingTendsToItsBSpline) {
   const Ring_2 ring = {{0, 0}, {4, 1}, {5, 5}, {2, 3}, {-1, 6}};
   constexpr int steps = 12;
-  const Evolved fine = evolved(with_ring(ring), "subdivision", steps);
+  const Evolved fine = evolved_2(with_ring(ring), "subdivision", steps);
   const Ring_2& curve = fine[outline_input].rings[0];
   ASSERT_EQ(curve.size(), ring.size() << steps);
   for (std::size_t i = 0; i < ring.size(); ++i) EXPECT_LT(distance(curve[i << steps], spline_at(ring, i)), 1e-6);
@@ -159,8 +155,8 @@ TEST(Subdivision_2, ARingTendsToItsBSpline) {
 
 TEST(Subdivision_2, OfPointsIsThatOfTheirRing) {
   const Points ring = circle(24);
-  const Evolved points = evolved(with_points(shuffled(ring, 3)), "subdivision", 3);
-  const Evolved outline = evolved(with_ring(ring), "subdivision", 3);
+  const Evolved points = evolved_2(with_points(shuffled(ring, 3)), "subdivision", 3);
+  const Evolved outline = evolved_2(with_ring(ring), "subdivision", 3);
   Points a = points[points_input];
   Points b = outline[outline_input].rings[0];
   ASSERT_EQ(a.size(), 24u * 8);
@@ -171,7 +167,7 @@ TEST(Subdivision_2, OfPointsIsThatOfTheirRing) {
 }
 
 TEST(Subdivision_2, EndsBeforeItTakesAllMemory) {
-  const Evolved result = evolved(with_ring(circle(1000)), "subdivision", 40);
+  const Evolved result = evolved_2(with_ring(circle(1000)), "subdivision", 40);
   EXPECT_EQ(result.result.steps_done, 13u);
   EXPECT_THAT(result.result.end_reason, HasSubstr("10 million"));
 }
@@ -181,12 +177,12 @@ TEST(Noise_2, IsTheSameForTheSameSeedAndStepByStep) {
                             .with(outline_input, Outline_2{{circle(30, 5), circle(20, 9)}})
                             .with(disks_input, std::vector<Disk_2>{{{0, 0}, 1}, {{3, 3}, 2}});
   const Settings seed = Settings().with("evolution-seed", std::int64_t{5});
-  const Evolved once = evolved(inputs, "noise", 4, seed);
-  const Evolved again = evolved(inputs, "noise", 4, seed);
+  const Evolved once = evolved_2(inputs, "noise", 4, seed);
+  const Evolved again = evolved_2(inputs, "noise", 4, seed);
   EXPECT_EQ(once[points_input], again[points_input]);
   EXPECT_EQ(once[outline_input], again[outline_input]);
   EXPECT_EQ(once[disks_input], again[disks_input]);
-  const Evolved other = evolved(inputs, "noise", 4, seed.with("evolution-seed", std::int64_t{6}));
+  const Evolved other = evolved_2(inputs, "noise", 4, seed.with("evolution-seed", std::int64_t{6}));
   EXPECT_NE(once[points_input], other[points_input]);
   // Another step draws other numbers.
   Graph graph(make_registry_2());
@@ -198,7 +194,7 @@ TEST(Noise_2, IsTheSameForTheSameSeedAndStepByStep) {
 }
 
 TEST(Noise_2, NumbersAreThoseOfEveryMachine) {
-  const Evolved result = evolved(with_ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), "noise", 1);
+  const Evolved result = evolved_2(with_ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), "noise", 1);
   const Ring_2& ring = result[outline_input].rings[0];
   // The first numbers of the 64-bit Mersenne twister with seed 1, in [0, 1).
   constexpr double first = 0.13387664401253263;
@@ -212,7 +208,7 @@ TEST(Noise_2, NumbersAreThoseOfEveryMachine) {
 
 TEST(Noise_2, StaysWithinItsAmplitudeAndAlongNormals) {
   const Points before = circle(100);
-  const Evolved result = evolved(with_points(before), "noise", 1, Settings().with("noise-amplitude", 0.25));
+  const Evolved result = evolved_2(with_points(before), "noise", 1, Settings().with("noise-amplitude", 0.25));
   const Points& after = result[points_input];
   const double reach = 0.25 * distance(before[99], before[1]);
   double farthest = 0;
@@ -224,7 +220,7 @@ TEST(Noise_2, StaysWithinItsAmplitudeAndAlongNormals) {
   }
   EXPECT_GT(farthest, 0.9 * reach);
   const std::vector<Disk_2> disks = {{{0, 0}, 1}, {{3, 3}, 0}};
-  const Evolved moved = evolved(with_points({{8, 8}}).with(disks_input, disks), "noise", 1);
+  const Evolved moved = evolved_2(with_points({{8, 8}}).with(disks_input, disks), "noise", 1);
   EXPECT_LE(norm(moved[disks_input][0].center), 0.1 * std::numbers::sqrt2);
   EXPECT_GT(norm(moved[disks_input][0].center), 0);
   EXPECT_EQ(moved[disks_input][0].radius, 1);

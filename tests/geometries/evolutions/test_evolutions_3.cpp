@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using Balls = std::vector<Ball_3>;
 using Cloud = std::vector<Point_3>;
 
-Evolved evolved(Inputs inputs, const std::string& id, std::uint64_t steps, Settings settings = {}) {
+Evolved evolved_3(Inputs inputs, const std::string& id, std::uint64_t steps, Settings settings = {}) {
   return run_steps(make_registry_3(), std::move(inputs), id, steps, std::move(settings));
 }
 
@@ -101,7 +101,7 @@ TEST(Laplacian_smoothing_3, AnIcosahedronShrinksByTheCosineOfItsEdges) {
     const double radius = std::pow(1 - factor * (1 - 1 / std::sqrt(5.0)), 3);
     const Settings settings = Settings().with("smoothing-factor", factor);
     for (const Triangle_mesh_3& mesh : {icosahedron(), torn(icosahedron())}) {
-      const Evolved result = evolved(with_mesh(mesh), "laplacian-smoothing", 3, settings);
+      const Evolved result = evolved_3(with_mesh(mesh), "laplacian-smoothing", 3, settings);
       ASSERT_EQ(result[mesh_input].triangles, mesh.triangles);
       for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
         EXPECT_LT(distance(result[mesh_input].vertices[v], radius * mesh.vertices[v]), 1e-14);
@@ -111,7 +111,7 @@ TEST(Laplacian_smoothing_3, AnIcosahedronShrinksByTheCosineOfItsEdges) {
 
 TEST(Laplacian_smoothing_3, WithKeptSizeASphereStaysAndNoiseGoes) {
   const Triangle_mesh_3 rough =
-      evolved(with_mesh(sphere(3)), "noise", 1, Settings().with("noise-amplitude", 0.3))[mesh_input];
+      evolved_3(with_mesh(sphere(3)), "noise", 1, Settings().with("noise-amplitude", 0.3))[mesh_input];
   const auto unevenness = [](const Triangle_mesh_3& mesh) {
     double most = 0;
     double least = 9;
@@ -127,16 +127,16 @@ TEST(Laplacian_smoothing_3, WithKeptSizeASphereStaysAndNoiseGoes) {
     return sum / static_cast<double>(mesh.vertices.size());
   };
   const Evolved kept =
-      evolved(with_mesh(rough), "laplacian-smoothing", 40, Settings().with("smoothing-keeps-size", true));
+      evolved_3(with_mesh(rough), "laplacian-smoothing", 40, Settings().with("smoothing-keeps-size", true));
   EXPECT_NEAR(mean(kept[mesh_input]), mean(rough), 0.02);
   EXPECT_LT(unevenness(kept[mesh_input]), unevenness(rough) / 2);
-  const Evolved shrunk = evolved(with_mesh(rough), "laplacian-smoothing", 40);
+  const Evolved shrunk = evolved_3(with_mesh(rough), "laplacian-smoothing", 40);
   EXPECT_LT(mean(shrunk[mesh_input]), 0.8);
 }
 
 TEST(Laplacian_smoothing_3, ASheetKeepsItsCornersCurveAndIsDrawnFlat) {
   const Triangle_mesh_3 mesh = sheet(8, 3);
-  const Evolved result = evolved(with_mesh(mesh), "laplacian-smoothing", 3);
+  const Evolved result = evolved_3(with_mesh(mesh), "laplacian-smoothing", 3);
   double highest = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Point_3& before = mesh.vertices[v];
@@ -161,10 +161,10 @@ TEST(Laplacian_smoothing_3, LooseVerticesAndEndlessTrianglesDoNotMatter) {
   mesh.vertices.push_back({std::numeric_limits<double>::infinity(), 0, 0});
   mesh.triangles.push_back({0, 1, 13});
   mesh.triangles.push_back({3, 3, 3});
-  const Evolved result = evolved(with_mesh(mesh), "laplacian-smoothing", 2);
+  const Evolved result = evolved_3(with_mesh(mesh), "laplacian-smoothing", 2);
   EXPECT_EQ(result[mesh_input].vertices[12], (Point_3{5, 5, 5}));
   EXPECT_TRUE(std::isinf(result[mesh_input].vertices[13].x));
-  const Evolved plain = evolved(with_mesh(icosahedron()), "laplacian-smoothing", 2);
+  const Evolved plain = evolved_3(with_mesh(icosahedron()), "laplacian-smoothing", 2);
   for (int v = 0; v < 12; ++v) EXPECT_EQ(result[mesh_input].vertices[v], plain[mesh_input].vertices[v]);
 }
 
@@ -172,7 +172,7 @@ TEST(Noise_3, MovesVerticesAlongNormalsWithinTheAmplitude) {
   const Triangle_mesh_3 before = icosahedron();
   const double edge = distance(before.vertices[0], before.vertices[1]);
   for (const Triangle_mesh_3& mesh : {before, torn(before)}) {
-    const Evolved result = evolved(with_mesh(mesh), "noise", 1, Settings().with("noise-amplitude", 0.2));
+    const Evolved result = evolved_3(with_mesh(mesh), "noise", 1, Settings().with("noise-amplitude", 0.2));
     const Cloud& after = result[mesh_input].vertices;
     double farthest = 0;
     for (std::size_t v = 0; v < after.size(); ++v) {
@@ -192,7 +192,7 @@ TEST(Noise_3, MovesVerticesAlongNormalsWithinTheAmplitude) {
 TEST(Noise_3, MovesPointsWithinTheirDistanceAndBallsWithinTheirRadius) {
   const Cloud cloud = {{0, 0, 0}, {1, 0, 0}, {5, 0, 0}, {9, 9, 9}, {9, 9, 9}};
   const Balls balls = {{{1, 1, 1}, 2}, {{4, 4, 4}, 0}};
-  const Evolved result = evolved(Inputs().with(cloud_input, cloud).with(balls_input, balls), "noise", 1);
+  const Evolved result = evolved_3(Inputs().with(cloud_input, cloud).with(balls_input, balls), "noise", 1);
   const Cloud& after = result[cloud_input];
   const std::vector<double> reaches = {0.1, 0.1, 0.4, 0, 0};
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -211,27 +211,27 @@ TEST(Noise_3, IsTheSameForTheSameSeed) {
   const Inputs inputs =
       with_mesh(sphere(1)).with(cloud_input, sphere(1).vertices).with(balls_input, Balls{{{0, 0, 0}, 1}});
   const Settings five = Settings().with("evolution-seed", std::int64_t{5});
-  const Evolved once = evolved(inputs, "noise", 3, five);
-  const Evolved again = evolved(inputs, "noise", 3, five);
+  const Evolved once = evolved_3(inputs, "noise", 3, five);
+  const Evolved again = evolved_3(inputs, "noise", 3, five);
   EXPECT_EQ(once[mesh_input], again[mesh_input]);
   EXPECT_EQ(once[cloud_input], again[cloud_input]);
   EXPECT_EQ(once[balls_input], again[balls_input]);
-  EXPECT_NE(once[mesh_input], evolved(inputs, "noise", 3)[mesh_input]);
+  EXPECT_NE(once[mesh_input], evolved_3(inputs, "noise", 3)[mesh_input]);
 }
 
-const Balls three = {{{0, 0, 0}, 1}, {{1.5, 0, 0}, 0.7}, {{0.5, 1, 0.2}, 0.5}};
+const Balls three_balls = {{{0, 0, 0}, 1}, {{1.5, 0, 0}, 0.7}, {{0.5, 1, 0.2}, 0.5}};
 
 TEST(Growing_3, StepsAddUpToPercentsOfTheFirstRadius) {
   // What moves balls for those who look at them is not made part of them.
   const Settings settings = Settings().with("growing-step", 4.0).with("given-perturbation", 1e-3);
-  const Evolved grown = evolved(with_balls(three), "grow-balls", 50, settings);
-  const Evolved shrunk = evolved(with_balls(three), "shrink-balls", 1000, settings.with("growing-step", 10.0));
+  const Evolved grown = evolved_3(with_balls(three_balls), "grow-balls", 50, settings);
+  const Evolved shrunk = evolved_3(with_balls(three_balls), "shrink-balls", 1000, settings.with("growing-step", 10.0));
   EXPECT_EQ(shrunk.result.steps_done, 9u);
   EXPECT_THAT(shrunk.result.end_reason, HasSubstr("shrunk to nothing"));
-  for (std::size_t i = 0; i < three.size(); ++i) {
-    EXPECT_EQ(grown[balls_input][i].center, three[i].center);
-    EXPECT_NEAR(grown[balls_input][i].radius, 3 * three[i].radius, 1e-13);
-    EXPECT_NEAR(shrunk[balls_input][i].radius, 0.1 * three[i].radius, 1e-13);
+  for (std::size_t i = 0; i < three_balls.size(); ++i) {
+    EXPECT_EQ(grown[balls_input][i].center, three_balls[i].center);
+    EXPECT_NEAR(grown[balls_input][i].radius, 3 * three_balls[i].radius, 1e-13);
+    EXPECT_NEAR(shrunk[balls_input][i].radius, 0.1 * three_balls[i].radius, 1e-13);
   }
 }
 
@@ -242,7 +242,7 @@ TEST(Growing_3, OfAMeshGrowsTheBallsThatStandForIt) {
   Progress progress;
   const auto balls = graph.structure(balls_3_key, progress);
   ASSERT_TRUE(balls) << balls.reason;
-  const Evolved result = evolved(graph.inputs(), "grow-balls", 2, graph.settings());
+  const Evolved result = evolved_3(graph.inputs(), "grow-balls", 2, graph.settings());
   ASSERT_EQ(result[balls_input].size(), balls.value->size());
   for (std::size_t i = 0; i < balls.value->size(); ++i) {
     EXPECT_EQ(result[balls_input][i].center, (*balls.value)[i].center);
@@ -255,19 +255,19 @@ TEST(Growing_3, OfAMeshGrowsTheBallsThatStandForIt) {
 
 TEST(Stepped_growing_3, AStepGrowsTheMedialBallsAndStepsGrowMore) {
   Graph graph(make_registry_3());
-  graph.set_inputs(with_balls(three));
+  graph.set_inputs(with_balls(three_balls));
   Progress progress;
   const auto axis = graph.structure(medial_axis_3_key, progress);
   ASSERT_TRUE(axis);
   const Settings exact =
       Settings().with("growing-step", 10.0).with("scale-axis-min-angle", 0.0).with("perturbation", 0.0);
-  const Evolved once = evolved(with_balls(three), "stepped-growing", 1, exact);
+  const Evolved once = evolved_3(with_balls(three_balls), "stepped-growing", 1, exact);
   ASSERT_EQ(once[balls_input].size(), axis.value->centers.size());
   for (std::size_t i = 0; i < axis.value->centers.size(); ++i) {
     EXPECT_EQ(once[balls_input][i].center, axis.value->centers[i]);
     EXPECT_NEAR(once[balls_input][i].radius, 1.1 * axis.value->radii[i], 1e-13);
   }
-  const Evolved more = evolved(with_balls(three), "stepped-growing", 6);
+  const Evolved more = evolved_3(with_balls(three_balls), "stepped-growing", 6);
   EXPECT_EQ(more.result.steps_done, 6u) << more.result.end_reason;
   double largest = 0;
   for (const Ball_3& ball : more[balls_input]) largest = std::max(largest, ball.radius);
@@ -293,15 +293,15 @@ TEST(Stepped_growing_3, KeepsTheTopologyOfAMeshAndDoesNotExplode) {
 }
 
 TEST(Evolutions_3, SayWhyThereIsNothingToChange) {
-  EXPECT_THAT(evolved({}, "laplacian-smoothing", 1).result.end_reason, HasSubstr("no mesh"));
-  EXPECT_THAT(evolved({}, "noise", 1).result.end_reason, HasSubstr("nothing to move"));
+  EXPECT_THAT(evolved_3({}, "laplacian-smoothing", 1).result.end_reason, HasSubstr("no mesh"));
+  EXPECT_THAT(evolved_3({}, "noise", 1).result.end_reason, HasSubstr("nothing to move"));
   for (const char* id : {"grow-balls", "shrink-balls", "stepped-growing"}) {
-    const Evolved nothing = evolved({}, id, 1);
+    const Evolved nothing = evolved_3({}, id, 1);
     EXPECT_NE(nothing.result.end_reason, "") << id;
     EXPECT_THAT(nothing.result.end_reason, testing::Not(HasSubstr("internal"))) << id;
-    EXPECT_EQ(evolved(with_balls(three), id, 2, Settings().with("growing-step", 0.0)).result.end_reason,
+    EXPECT_EQ(evolved_3(with_balls(three_balls), id, 2, Settings().with("growing-step", 0.0)).result.end_reason,
               "nothing changes any more");
-    const Evolved point = evolved(with_balls({{{1, 2, 3}, 0}}), id, 2);
+    const Evolved point = evolved_3(with_balls({{{1, 2, 3}, 0}}), id, 2);
     EXPECT_THAT(point.result.end_reason, testing::Not(HasSubstr("internal"))) << id;
   }
 }

@@ -20,17 +20,13 @@ using testing::HasSubstr;
 
 using Disks = std::vector<Disk_2>;
 
-Evolved evolved(Inputs inputs, const std::string& id, std::uint64_t steps, Settings settings = {}) {
-  return run_steps(make_registry_2(), std::move(inputs), id, steps, std::move(settings));
-}
-
 Inputs with_disks(Disks disks) { return Inputs().with(disks_input, std::move(disks)); }
 const Disks three = {{{0, 0}, 1}, {{1.5, 0}, 0.7}, {{0.5, 1}, 0}};
 
 TEST(Growing_2, StepsAddUpToPercentsOfTheFirstRadius) {
   const Settings settings = Settings().with("growing-step", 4.0);
-  const Evolved grown = evolved(with_disks(three), "grow-balls", 50, settings);
-  const Evolved shrunk = evolved(with_disks(three), "shrink-balls", 20, settings);
+  const Evolved grown = evolved_2(with_disks(three), "grow-balls", 50, settings);
+  const Evolved shrunk = evolved_2(with_disks(three), "shrink-balls", 20, settings);
   for (std::size_t i = 0; i < three.size(); ++i) {
     EXPECT_EQ(grown[disks_input][i].center, three[i].center);
     EXPECT_NEAR(grown[disks_input][i].radius, 3 * three[i].radius, 1e-13);
@@ -40,7 +36,7 @@ TEST(Growing_2, StepsAddUpToPercentsOfTheFirstRadius) {
 
 TEST(Growing_2, ShrinkingEndsBeforeNothingIsLeft) {
   for (const auto& [percent, steps] : {std::pair{10.0, 9u}, {1.0, 99u}, {3.0, 33u}, {100.0, 0u}, {60.0, 1u}}) {
-    const Evolved result = evolved(with_disks(three), "shrink-balls", 1000, Settings().with("growing-step", percent));
+    const Evolved result = evolved_2(with_disks(three), "shrink-balls", 1000, Settings().with("growing-step", percent));
     EXPECT_EQ(result.result.steps_done, steps) << percent;
     EXPECT_THAT(result.result.end_reason, HasSubstr("shrunk to nothing"));
     EXPECT_GT(result[disks_input][0].radius, 1e-3);
@@ -50,9 +46,9 @@ TEST(Growing_2, ShrinkingEndsBeforeNothingIsLeft) {
 TEST(Growing_2, WithoutGrowthNothingChanges) {
   const Settings none = Settings().with("growing-step", 0.0);
   for (const char* id : {"grow-balls", "shrink-balls", "stepped-growing"}) {
-    EXPECT_EQ(evolved(with_disks(three), id, 3, none).result.end_reason, "nothing changes any more") << id;
-    EXPECT_THAT(evolved({}, id, 3).result.end_reason, HasSubstr("disks")) << id;
-    EXPECT_THAT(evolved(Inputs().with(points_input, std::vector<Point_2>{{0, 0}, {1, 1}}), id, 3).result.end_reason,
+    EXPECT_EQ(evolved_2(with_disks(three), id, 3, none).result.end_reason, "nothing changes any more") << id;
+    EXPECT_THAT(evolved_2({}, id, 3).result.end_reason, HasSubstr("disks")) << id;
+    EXPECT_THAT(evolved_2(Inputs().with(points_input, std::vector<Point_2>{{0, 0}, {1, 1}}), id, 3).result.end_reason,
                 testing::Not(testing::AnyOf(HasSubstr("internal"), testing::IsEmpty())))
         << id;
   }
@@ -70,7 +66,7 @@ TEST(Growing_2, OfPointsGrowsTheDisksOfTheSourceWhateverWasGivenBefore) {
     Progress progress;
     const auto balls = graph.structure(balls_2_key, progress);
     ASSERT_TRUE(balls);
-    const Evolved result = evolved(inputs, "grow-balls", 5, settings);
+    const Evolved result = evolved_2(inputs, "grow-balls", 5, settings);
     const Disks& disks = result[disks_input];
     ASSERT_EQ(disks.size(), balls.value->size()) << source;
     EXPECT_EQ(result[points_input], curve);
@@ -98,8 +94,8 @@ TEST(Stepped_growing_2, FirstStepIsTheUnionOfTheGrownMedialDisks) {
   Progress progress;
   const auto axis = graph.structure(union_medial_axis_2_key, progress);
   ASSERT_TRUE(axis);
-  const Evolved result = evolved(with_disks(three), "stepped-growing", 1,
-                                 Settings().with("growing-step", 10.0).with("scale-axis-min-angle", 0.0));
+  const Evolved result = evolved_2(with_disks(three), "stepped-growing", 1,
+                                   Settings().with("growing-step", 10.0).with("scale-axis-min-angle", 0.0));
   const Disks& disks = result[disks_input];
   ASSERT_EQ(disks.size(), axis.value->centers.size());
   for (std::size_t i = 0; i < disks.size(); ++i) {
@@ -109,9 +105,9 @@ TEST(Stepped_growing_2, FirstStepIsTheUnionOfTheGrownMedialDisks) {
 }
 
 TEST(Stepped_growing_2, HoldsWhatItGrewFromAndIsHeldByTheSumOfSteps) {
-  const Evolved start = evolved(Inputs().with(points_input, flower(120)), "grow-balls", 1);
+  const Evolved start = evolved_2(Inputs().with(points_input, flower(120)), "grow-balls", 1);
   const Settings exact = Settings().with("scale-axis-min-angle", 0.0);
-  const Evolved stepped = evolved(start.inputs, "stepped-growing", 4, exact);
+  const Evolved stepped = evolved_2(start.inputs, "stepped-growing", 4, exact);
   EXPECT_EQ(stepped.result.steps_done, 4u);
   const Disks& before = start[disks_input];
   const Disks& after = stepped[disks_input];
@@ -133,8 +129,8 @@ TEST(Stepped_growing_2, HoldsWhatItGrewFromAndIsHeldByTheSumOfSteps) {
 
 TEST(Stepped_growing_2, StaysSmallOnARealShape) {
   const auto wave = flower(400, 0.3, 5, 0.02);
-  const Evolved few = evolved(Inputs().with(points_input, wave), "stepped-growing", 1);
-  const Evolved more = evolved(Inputs().with(points_input, wave), "stepped-growing", 12);
+  const Evolved few = evolved_2(Inputs().with(points_input, wave), "stepped-growing", 1);
+  const Evolved more = evolved_2(Inputs().with(points_input, wave), "stepped-growing", 12);
   EXPECT_EQ(more.result.steps_done, 12u) << more.result.end_reason;
   EXPECT_LT(more[disks_input].size(), few[disks_input].size());
 }

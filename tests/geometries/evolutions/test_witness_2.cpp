@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 using Points = std::vector<Point_2>;
 
-Evolved landmarks_of(Inputs inputs, std::uint64_t steps) {
+Evolved max_min_landmarks(Inputs inputs, std::uint64_t steps) {
   return run_steps(make_registry_2(), std::move(inputs), "max-min-landmarks", steps);
 }
 
@@ -50,7 +50,7 @@ Points max_min(const Points& samples, std::size_t count) {
 TEST(Landmarks_2, AreTheMaxMinOnes) {
   for (const auto& [name, points] : difficult_point_sets()) {
     if (points.empty()) continue;
-    const Evolved result = landmarks_of(Inputs().with(points_input, points), 30);
+    const Evolved result = max_min_landmarks(Inputs().with(points_input, points), 30);
     EXPECT_EQ(result[landmarks_input], max_min(points, 30)) << name;
     EXPECT_EQ(result[points_input], points) << name;
   }
@@ -58,16 +58,17 @@ TEST(Landmarks_2, AreTheMaxMinOnes) {
 
 TEST(Landmarks_2, GoOnWhereTheyStoppedAndEndWithTheSamples) {
   const Points points = with_duplicates(uniform_points(40, 3), 10, 1);
-  const Evolved some = landmarks_of(Inputs().with(points_input, points), 15);
-  const Evolved all = landmarks_of(some.inputs, 100);
+  const Evolved some = max_min_landmarks(Inputs().with(points_input, points), 15);
+  const Evolved all = max_min_landmarks(some.inputs, 100);
   EXPECT_EQ(all.result.steps_done, 25u);
   EXPECT_EQ(all.result.end_reason, "every sample is a landmark");
   EXPECT_EQ(all[landmarks_input], max_min(points, 100));
-  EXPECT_THAT(landmarks_of({}, 3).result.end_reason, HasSubstr("nothing to sample"));
+  EXPECT_THAT(max_min_landmarks({}, 3).result.end_reason, HasSubstr("nothing to sample"));
 }
 
 TEST(Landmarks_2, OfAnOutlineAreAmongItsSamples) {
-  const Evolved result = landmarks_of(Inputs().with(outline_input, Outline_2{{{{0, 0}, {4, 0}, {4, 3}, {0, 3}}}}), 4);
+  const Evolved result =
+      max_min_landmarks(Inputs().with(outline_input, Outline_2{{{{0, 0}, {4, 0}, {4, 3}, {0, 3}}}}), 4);
   EXPECT_THAT(result[landmarks_input],
               testing::ElementsAre(Point_2{0, 0}, Point_2{4, 3}, Point_2{3.125, 0}, Point_2{0.875, 3}));
 }

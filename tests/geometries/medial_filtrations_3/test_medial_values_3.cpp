@@ -15,14 +15,13 @@
 #include "geometries/modules_3.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
 #include "geometries/union_3/module.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/axis_checks_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
 
 namespace mesecina::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::array<int, 2> side_of(std::span<const int> face, std::size_t i) {
   const auto [a, b] = std::minmax(face[i], face[(i + 1) % face.size()]);

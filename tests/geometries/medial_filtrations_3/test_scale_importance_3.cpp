@@ -6,13 +6,12 @@
 #include <limits>
 
 #include "geometries/scale_importance/scale_importance.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/growth.h"
 
 namespace mesecina::test {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Balls {
   std::vector<Point_3> centers;

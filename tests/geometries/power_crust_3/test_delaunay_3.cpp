@@ -32,7 +32,7 @@ std::string reason_of(const Cloud& cloud) {
   return {};
 }
 
-double volume(const Delaunay_3& triangulation, const std::array<int, 4>& cell) {
+double volume_of_cell(const Delaunay_3& triangulation, const std::array<int, 4>& cell) {
   const auto to = [&](int i) { return triangulation.points[cell[i]] - triangulation.points[cell[0]]; };
   return dot(cross(to(1), to(2)), to(3)) / 6;
 }
@@ -50,7 +50,7 @@ TEST(Delaunay_3, CellsAreOrientedAndNeighborsMutual) {
     const Delaunay_3 triangulation = delaunay(cloud, progress);
     ASSERT_EQ(triangulation.cells.size(), triangulation.neighbors.size());
     for (int c = 0; c < static_cast<int>(triangulation.cells.size()); ++c) {
-      EXPECT_GT(volume(triangulation, triangulation.cells[c]), 0);
+      EXPECT_GT(volume_of_cell(triangulation, triangulation.cells[c]), 0);
       for (int i = 0; i < 4; ++i) {
         const int corner = triangulation.cells[c][i];
         EXPECT_EQ(triangulation.site[corner], corner);
@@ -74,7 +74,7 @@ TEST(Delaunay_3, FillsTheConvexHull) {
   Progress progress;
   const Delaunay_3 triangulation = delaunay(lattice(4), progress);
   double sum = 0;
-  for (const auto& cell : triangulation.cells) sum += volume(triangulation, cell);
+  for (const auto& cell : triangulation.cells) sum += volume_of_cell(triangulation, cell);
   EXPECT_NEAR(sum, 27, 1e-9);
 }
 

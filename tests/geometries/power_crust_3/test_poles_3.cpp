@@ -16,7 +16,7 @@ Poles_3 poles_of(const Cloud& cloud, int threads = 1) {
   return find_poles(cloud, progress);
 }
 
-std::string reason_of(const Cloud& cloud) {
+std::string reason_without_poles(const Cloud& cloud) {
   try {
     poles_of(cloud);
   } catch (const Unavailable& unavailable) {
@@ -30,7 +30,7 @@ Contacts contacts_of(const Poles_3& poles, int pole) {
   return {span.begin(), span.end()};
 }
 
-std::vector<Cloud> small_clouds() {
+std::vector<Cloud> clouds_with_poles() {
   std::vector<Cloud> clouds{lattice(3), joined(random_cloud(20, 3), random_cloud(20, 3))};
   for (std::uint64_t seed = 1; seed <= 4; ++seed) clouds.push_back(random_cloud(30, seed));
   for (std::uint64_t seed = 1; seed <= 8; ++seed) clouds.push_back(integer_cloud(30, 4, seed));
@@ -59,7 +59,7 @@ void expect_poles(const Cloud& cloud, const Poles_3& poles, int sample, const st
 
 TEST(Poles_3, AreTheFarthestVoronoiVerticesOnTwoSides) {
   int checked = 0;
-  for (const Cloud& cloud : small_clouds()) {
+  for (const Cloud& cloud : clouds_with_poles()) {
     const Poles_3 poles = poles_of(cloud);
     const std::set<Contacts> all = empty_spheres(cloud);
     for (int s = 0; s < static_cast<int>(cloud.size()); ++s) {
@@ -130,15 +130,18 @@ TEST(Poles_3, OfAHullPointInwardAtSharpCorners) {
 }
 
 TEST(Poles_3, SaysWhyThereAreNone) {
-  EXPECT_EQ(reason_of({}), "needs at least 4 distinct points that are not in one plane; there are 0");
-  EXPECT_EQ(reason_of(Cloud(9, Point_3{1, 2, 3})),
+  EXPECT_EQ(reason_without_poles({}), "needs at least 4 distinct points that are not in one plane; there are 0");
+  EXPECT_EQ(reason_without_poles(Cloud(9, Point_3{1, 2, 3})),
             "needs at least 4 distinct points that are not in one plane; there is 1");
-  EXPECT_EQ(reason_of(joined({{1, 2, 3}, {1, 2, 4}, {1, 3, 3}}, {{1, 2, 3}, {1, 2, 4}, {1, 3, 3}})),
+  EXPECT_EQ(reason_without_poles(joined({{1, 2, 3}, {1, 2, 4}, {1, 3, 3}}, {{1, 2, 3}, {1, 2, 4}, {1, 3, 3}})),
             "needs at least 4 distinct points that are not in one plane; there are 3");
-  EXPECT_EQ(reason_of({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {9, 9, 9}}), "all points lie on one line");
-  EXPECT_EQ(reason_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, 4, 0}}), "all points lie in one plane");
-  EXPECT_EQ(reason_of({{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, 1, 1e-9}}), "all points lie nearly in one plane");
-  EXPECT_EQ(reason_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), "");
+  EXPECT_EQ(reason_without_poles({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {9, 9, 9}}),
+            "all points lie on one line");
+  EXPECT_EQ(reason_without_poles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, 4, 0}}),
+            "all points lie in one plane");
+  EXPECT_EQ(reason_without_poles({{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, 1, 1e-9}}),
+            "all points lie nearly in one plane");
+  EXPECT_EQ(reason_without_poles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), "");
 }
 
 TEST(Poles_3, OneThreadAndTwoGiveTheSame) {

@@ -28,6 +28,12 @@ Scale_stages scale_stages(const std::shared_ptr<const Balls_2>& balls, double sc
 /// The same input at another scale.
 Scale_stages at_scale(const Scale_stages& stages, double scale);
 
+/// A square given twice: its insides cancel out.
+inline Outline_2 double_square() {
+  const Ring_2 square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  return {{square, square}};
+}
+
 /// Components and cycles.
 using Betti = std::array<std::int64_t, 2>;
 Betti betti_of_graph(std::size_t vertices, const std::vector<std::array<int, 2>>& edges);

@@ -13,6 +13,7 @@
 #include "geometries/medial_filtrations_2/module.h"
 #include "geometries/modules_2.h"
 #include "geometries/union_2/module.h"
+#include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/shapes.h"
 
 /// What the kept disks of a filtration reconstruct.
@@ -89,11 +90,6 @@ void expect_boundary_of_union(const Primitive_set& set, const std::vector<Disk_2
 }
 
 /// A square taken twice: by the even-odd rule nothing is inside.
-Outline_2 double_square() {
-  const Ring_2 square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  return {{square, square}};
-}
-
 class Filtration_shapes : public testing::Test {
  protected:
   std::shared_ptr<const Primitive_set> layer(const std::string& id) {

@@ -2,13 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "geometries/samples_2/samples_2.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/union/disk_sets.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 Betti betti(const Scale_axis_2& axis) { return betti_of_graph(axis.centers.size(), axis.edges); }
 

@@ -11,6 +11,7 @@
 #include "geometries/modules_2.h"
 #include "geometries/scale_axis_2/module.h"
 #include "geometries/union_2/module.h"
+#include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/shapes.h"
 
 namespace mesecina::test {
@@ -65,11 +66,6 @@ class Scale_graph : public testing::Test {
 using Names = std::vector<std::string>;
 
 /// A square taken twice: by the even-odd rule nothing is inside.
-Outline_2 double_square() {
-  const Ring_2 square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  return {{square, square}};
-}
-
 std::vector<Point_2> ring() {
   std::vector<Point_2> points = ellipse(1, 1, 60, 0.5, 3);
   for (const Point_2& p : ellipse(0.5, 0.5, 40, 0.5, 4)) points.push_back(p);

@@ -7,16 +7,13 @@
 #include <map>
 #include <set>
 
+#include "tests/geometries/results.h"
 #include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/union/disk_sets.h"
 
 /// Which branches of the grown medial axis are left out. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.2]
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Graph_edge {
   std::array<int, 2> ends;

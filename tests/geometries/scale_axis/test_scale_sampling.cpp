@@ -7,14 +7,13 @@
 #include <numbers>
 #include <set>
 
+#include "tests/geometries/results.h"
 #include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/union/disk_sets.h"
 
 /// How edges of the grown medial axis become disks. [B. Miklos: The Scale Axis Transform, 2010, section 6.1.2]
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 constexpr int most_halvings = 24;
 

@@ -7,13 +7,12 @@
 #include <limits>
 #include <string>
 
+#include "tests/geometries/results.h"
 #include "tests/geometries/scale_axis/scale_stages.h"
 #include "tests/geometries/union/disk_sets.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 /// Of two equal disks each through the center of the other halving makes some that meet at 150 degrees exactly; at this
 /// angle nothing is decided by rounding.

@@ -510,9 +510,4 @@ Sampled_shape inner_voronoi_disks(std::span<const Point_2> samples, const Outlin
   return sampled(samples, &outline);
 }
 
-std::uint64_t repetitions(std::uint64_t n) {
-  const char* factor = std::getenv("MESECINA_LONG_TESTS");
-  return factor && *factor ? n * std::strtoull(factor, nullptr, 10) : n;
-}
-
 }  // namespace mesecina::test

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "geometries/balls_2/balls_2.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 
 namespace mesecina::test {
@@ -57,8 +58,5 @@ void expect_of_circumscribed_balls(std::uint64_t seeds, const Balls_check& check
 
 std::vector<Disk_2> scaled(std::vector<Disk_2> disks, int exponent);
 std::vector<Disk_2> moved(std::vector<Disk_2> disks, double x, double y);
-
-/// n times what MESECINA_LONG_TESTS says (1 without it): how many seeds to try.
-std::uint64_t repetitions(std::uint64_t n);
 
 }  // namespace mesecina::test

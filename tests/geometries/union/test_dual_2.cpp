@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/dual_2/dual_2.h"
+#include "tests/geometries/results.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,6 @@
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 const char* name(Dual_kind kind) {
   constexpr std::array names{"outside", "singular", "regular", "interior"};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/regular_2/regular_2.h"
+#include "tests/geometries/results.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,6 @@
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 Rational twice_area(const Exact_disk& a, const Exact_disk& b, const Exact_disk& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

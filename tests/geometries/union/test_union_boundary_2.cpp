@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/union_2/union_boundary_2.h"
+#include "tests/geometries/results.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,7 @@
 namespace mesecina::test {
 namespace {
 
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
-
-std::string to_text(std::span<const int> numbers) {
+std::string list_text(std::span<const int> numbers) {
   std::string result;
   for (const int n : numbers) result += (result.empty() ? "" : " ") + std::to_string(n);
   return "{" + result + "}";
@@ -47,9 +46,9 @@ testing::AssertionResult match_vertices(const Union_boundary_2& boundary, const 
     }
     if (best == -1) {
       std::string all;
-      for (const auto& numbers : expected_sources) all += to_text(numbers);
+      for (const auto& numbers : expected_sources) all += list_text(numbers);
       return failure() << "vertex " << v << " (" << boundary.vertices[v].x << ", " << boundary.vertices[v].y
-                       << ") on circles " << to_text(sources) << ", but they are on " << all;
+                       << ") on circles " << list_text(sources) << ", but they are on " << all;
     }
     taken[best] = true;
     match.push_back(best);
@@ -131,7 +130,7 @@ testing::AssertionResult arcs_are_right(const Union_boundary_2& boundary, const 
   if (found == expected) return testing::AssertionSuccess();
   const auto text = [](const std::vector<Oracle_arc>& arcs) {
     std::string result;
-    for (const Oracle_arc& arc : arcs) result += to_text(std::array{arc.ball, arc.from, arc.to});
+    for (const Oracle_arc& arc : arcs) result += list_text(std::array{arc.ball, arc.from, arc.to});
     return result;
   };
   return failure() << "arcs " << text(found) << ", not " << text(expected);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometries/union_2/union_medial_axis_2.h"
+#include "tests/geometries/results.h"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 std::string to_text(const Point_2& p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
 

@@ -6,13 +6,12 @@
 #include <sstream>
 
 #include "geometries/union_2/union_medial_axis_2.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/union/disk_sets.h"
 #include "tests/geometries/union/union_oracle.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 using Betti = std::array<std::int64_t, 2>;
 
@@ -35,7 +34,7 @@ Betti betti(const Union_medial_axis_2& axis) {
   return {components, static_cast<std::int64_t>(axis.edges.size() + components - axis.centers.size())};
 }
 
-std::string to_text(const Betti& betti) {
+std::string betti_text(const Betti& betti) {
   return "(" + std::to_string(betti[0]) + ", " + std::to_string(betti[1]) + ")";
 }
 
@@ -48,14 +47,14 @@ testing::AssertionResult has_one_topology(const std::shared_ptr<const Balls_2>& 
   const auto boundary = std::make_shared<const Union_boundary_2>(union_boundary(balls, alpha, progress));
   const Topology dual = topology(*boundary->dual);
   if (Betti{dual.betti[0], dual.betti[1]} != expected || dual.betti[2] != 0 || dual.euler != expected[0] - expected[1])
-    return failure() << "dual complex " << to_text({dual.betti[0], dual.betti[1]}) << ", Euler characteristic "
-                     << dual.euler << ", union " << to_text(expected);
+    return failure() << "dual complex " << betti_text({dual.betti[0], dual.betti[1]}) << ", Euler characteristic "
+                     << dual.euler << ", union " << betti_text(expected);
   const Union_voronoi_2 voronoi = union_voronoi(boundary, progress);
   for (const bool complete_only : {false, true}) {
     const Betti axis = betti(union_medial_axis(voronoi, complete_only, progress));
     if (axis != expected)
-      return failure() << (complete_only ? "complete" : "whole") << " medial axis " << to_text(axis) << ", union "
-                       << to_text(expected);
+      return failure() << (complete_only ? "complete" : "whole") << " medial axis " << betti_text(axis) << ", union "
+                       << betti_text(expected);
   }
   return testing::AssertionSuccess();
 }

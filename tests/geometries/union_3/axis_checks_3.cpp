@@ -8,14 +8,13 @@
 #include <optional>
 #include <sstream>
 
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/ball_sets.h"
 
 namespace mesecina::test {
 
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 std::string place(const Point_3& p) {
   std::ostringstream text;

@@ -263,9 +263,4 @@ std::string to_text(const std::vector<Ball_3>& balls) {
   return text.str();
 }
 
-std::uint64_t repetitions(std::uint64_t n) {
-  const char* factor = std::getenv("MESECINA_LONG_TESTS");
-  return factor && *factor ? n * std::strtoull(factor, nullptr, 10) : n;
-}
-
 }  // namespace mesecina::test

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/inputs.h"
+#include "tests/geometries/results.h"
 
 namespace mesecina::test {
 
@@ -57,8 +58,5 @@ std::vector<Ball_3> inner_voronoi_balls(const Smooth_solid& solid, int samples, 
 
 /// As source text, for messages.
 std::string to_text(const std::vector<Ball_3>& balls);
-
-/// n times what MESECINA_LONG_TESTS says (1 without it): how many seeds to try.
-std::uint64_t repetitions(std::uint64_t n);
 
 }  // namespace mesecina::test

@@ -124,13 +124,6 @@ std::vector<int> candidates_of(std::span<const Ball_3> balls) {
   return result;
 }
 
-Ball_set bit(int ball) { return Ball_set{1} << ball; }
-Ball_set set_of(const std::vector<int>& balls) {
-  Ball_set result = 0;
-  for (const int i : balls) result |= bit(i);
-  return result;
-}
-
 /// Sign of a + b sqrt(c) for c >= 0.
 int sign_with_root(const Rational& a, const Rational& b, const Rational& c) {
   const int sign_a = certain_sign(a);

@@ -19,6 +19,14 @@ using Ball_set = std::uint32_t;
 
 std::vector<int> members(Ball_set set);
 
+inline Ball_set bit(int ball) { return Ball_set{1} << ball; }
+template <class Balls>
+Ball_set set_of(const Balls& balls) {
+  Ball_set result = 0;
+  for (const int i : balls) result |= bit(i);
+  return result;
+}
+
 /// Sign of the volume of the tetrahedron of centers: 1 if the normal (right-hand rule) of the first three points to the
 /// fourth one.
 int orientation(const Ball_3& a, const Ball_3& b, const Ball_3& c, const Ball_3& d);

@@ -10,6 +10,7 @@
 #include "core/formats/format.h"
 #include "geometries/samples_3/ball_approximation_3.h"
 #include "geometries/union_3/union_3.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/solid_3/meshes_3.h"
 #include "tests/geometries/union_3/alpha_complex_3.h"
@@ -21,8 +22,6 @@
 /// by the order of positions. So all simplices must be the same, and all balls that are left out, everywhere.
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 std::size_t size_of(const Simplex_3& simplex) { return 4 - std::ranges::count(simplex, -1); }
 std::string name_of(const Simplex_3& simplex) {

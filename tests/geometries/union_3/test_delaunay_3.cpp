@@ -9,6 +9,7 @@
 
 #include "core/outcome.h"
 #include "geometries/delaunay_3/delaunay_3.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/alpha_complex_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
@@ -17,8 +18,6 @@
 /// also where more than four points lie on one sphere.
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 /// The first point of each position.
 std::vector<int> sites_of(const std::vector<Point_3>& points) {
@@ -36,7 +35,7 @@ std::vector<Ball_3> without_radii(const std::vector<Ball_3>& balls) {
 }
 
 /// Of the centers.
-testing::AssertionResult agrees_with_gudhi(const std::vector<Ball_3>& balls) {
+testing::AssertionResult centers_agree_with_gudhi(const std::vector<Ball_3>& balls) {
   const Alpha_complex theirs = alpha_complex(without_radii(balls));
   std::map<Simplex_3, double> cells;
   for (const auto& [simplex, value] : theirs.values)
@@ -79,25 +78,25 @@ testing::AssertionResult agrees_with_gudhi(const std::vector<Ball_3>& balls) {
 
 TEST(Delaunay_3, of_special_points_has_the_cells_of_gudhi) {
   expect_of_balls(repetitions(30), [](const std::vector<Ball_3>& balls) {
-    return may_underflow(balls) ? testing::AssertionSuccess() : agrees_with_gudhi(balls);
+    return may_underflow(balls) ? testing::AssertionSuccess() : centers_agree_with_gudhi(balls);
   });
 }
 
 TEST(Delaunay_3, of_random_points_has_the_cells_of_gudhi) {
   for (const int count : {4, 5, 20, 200, 1000})
     for (std::uint64_t seed = 0; seed < repetitions(2); ++seed)
-      EXPECT_TRUE(agrees_with_gudhi(many_balls(count, 1, seed))) << count << " points, seed " << seed;
+      EXPECT_TRUE(centers_agree_with_gudhi(many_balls(count, 1, seed))) << count << " points, seed " << seed;
 }
 
 TEST(Delaunay_3, of_a_lattice_has_the_cells_of_gudhi) {
   std::vector<Ball_3> points;
   for (int i = 0; i < 6 * 6 * 6; ++i) points.push_back({{1.0 * (i % 6), 1.0 * (i / 6 % 6), 1.0 * (i / 36)}, 0});
-  EXPECT_TRUE(agrees_with_gudhi(points));
+  EXPECT_TRUE(centers_agree_with_gudhi(points));
   // Another order, and each there twice.
   const std::vector<Ball_3> copy = points;
   points.insert(points.end(), copy.rbegin(), copy.rend());
   std::ranges::rotate(points, points.begin() + 50);
-  EXPECT_TRUE(agrees_with_gudhi(points));
+  EXPECT_TRUE(centers_agree_with_gudhi(points));
 }
 
 }  // namespace

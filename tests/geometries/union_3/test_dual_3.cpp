@@ -6,6 +6,7 @@
 #include <set>
 
 #include "geometries/union_3/regular_3.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/union_3/axis_checks_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
 #include "tests/geometries/union_3/power_oracle_3.h"
@@ -13,20 +14,10 @@
 namespace mesecina::test {
 namespace {
 
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
-
 std::string names(Ball_set set) {
   std::string result = "{";
   for (const int i : members(set)) result += (result.size() > 1 ? " " : "") + std::to_string(i);
   return result + "}";
-}
-
-Ball_set bit(int ball) { return Ball_set{1} << ball; }
-template <std::size_t n>
-Ball_set set_of(const std::array<int, n>& balls) {
-  Ball_set result = 0;
-  for (const int i : balls) result |= bit(i);
-  return result;
 }
 
 Dual_3 dual_of(const std::vector<Ball_3>& balls) {

@@ -40,9 +40,9 @@ void expect_as_cgal(const std::vector<Ball_3>& balls) {
   }
 }
 
-class Random {
+class Random_points {
  public:
-  explicit Random(int seed) : engine_(seed) {}
+  explicit Random_points(int seed) : engine_(seed) {}
   double number(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
   Point_3 point(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
 
@@ -51,7 +51,7 @@ class Random {
 };
 
 TEST(Orthogonal_spheres_3, of_random_balls_of_all_sizes) {
-  Random random(1);
+  Random_points random(1);
   for (const double size : {1e-60, 1e-35, 1e-5, 1.0, 1e8, 1e35, 1e60})
     for (int i = 0; i < 300; ++i) {
       std::vector<Ball_3> balls(5);
@@ -61,7 +61,7 @@ TEST(Orthogonal_spheres_3, of_random_balls_of_all_sizes) {
 }
 
 TEST(Orthogonal_spheres_3, of_balls_through_one_point_up_to_rounding) {
-  Random random(2);
+  Random_points random(2);
   for (int i = 0; i < 3000; ++i) {
     const Point_3 meeting = random.point(std::pow(10.0, random.number(-3, 3)));
     const double nearness = std::pow(10.0, random.number(-16, 0));
@@ -75,7 +75,7 @@ TEST(Orthogonal_spheres_3, of_balls_through_one_point_up_to_rounding) {
 }
 
 TEST(Orthogonal_spheres_3, of_balls_that_nearly_touch_and_of_nearly_flat_ones) {
-  Random random(3);
+  Random_points random(3);
   for (int i = 0; i < 3000; ++i) {
     const double flatness = std::pow(10.0, random.number(-14, 0));
     std::vector<Ball_3> balls(5);
@@ -90,7 +90,7 @@ TEST(Orthogonal_spheres_3, of_balls_that_nearly_touch_and_of_nearly_flat_ones) {
 }
 
 TEST(Orthogonal_spheres_3, of_a_lattice_where_all_is_exact) {
-  Random random(4);
+  Random_points random(4);
   const auto whole = [&](int most) { return std::floor(random.number(0, most + 1)); };
   for (int i = 0; i < 5000; ++i) {
     std::vector<Ball_3> balls(5);

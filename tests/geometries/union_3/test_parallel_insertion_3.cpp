@@ -98,12 +98,12 @@ void expect_neighbors(const Cells& cells, const Cells& neighbors) {
   }
 }
 
-struct Named_points {
+struct Named_cloud {
   std::string name;
   std::vector<Point_3> points;
 };
 
-std::vector<Named_points> large_sets() {
+std::vector<Named_cloud> large_sets() {
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> number(-1, 1);
   std::normal_distribution<double> normal;
@@ -113,9 +113,9 @@ std::vector<Named_points> large_sets() {
     return center + (radius / distance(away, {})) * away;
   };
   constexpr int count = 12000;
-  std::vector<Named_points> sets{{"cube", {}},     {"sphere", {}}, {"two far spheres", {}},
-                                 {"lattice", {}},  {"needle", {}}, {"flat lattice and a point", {}},
-                                 {"all twice", {}}};
+  std::vector<Named_cloud> sets{{"cube", {}},     {"sphere", {}}, {"two far spheres", {}},
+                                {"lattice", {}},  {"needle", {}}, {"flat lattice and a point", {}},
+                                {"all twice", {}}};
   for (int i = 0; i < count; ++i) {
     sets[0].points.push_back(in_cube());
     sets[1].points.push_back(on_sphere({5, 5, 5}, 2));

@@ -12,14 +12,13 @@
 #include "geometries/scatter.h"
 #include "geometries/union_3/regular_3.h"
 #include "geometries/union_3/union_3.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/shapes.h"
 #include "tests/geometries/union_3/ball_sets.h"
 #include "tests/geometries/union_3/power_oracle_3.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 /// In every respect that the header promises.
 testing::AssertionResult is_regular_triangulation(const std::vector<Ball_3>& balls) {

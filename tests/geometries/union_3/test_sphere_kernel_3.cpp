@@ -24,9 +24,9 @@ bool expect_same(const std::array<Point, 5>& p) {
   return true;
 }
 
-class Random {
+class Random_spheres {
  public:
-  explicit Random(int seed) : engine_(seed) {}
+  explicit Random_spheres(int seed) : engine_(seed) {}
   double number(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
   Point on_sphere(const Point& center, double radius) {
     std::normal_distribution<double> normal;
@@ -42,7 +42,7 @@ class Random {
 };
 
 TEST(Sphere_kernel_3, random_points_of_all_sizes) {
-  Random random(1);
+  Random_spheres random(1);
   for (const double size : {1e-60, 1e-52, 1e-30, 1e-5, 1.0, 1e8, 1e30, 1e49, 1e55}) {
     for (int i = 0; i < 300; ++i) {
       std::array<Point, 5> p;
@@ -53,7 +53,7 @@ TEST(Sphere_kernel_3, random_points_of_all_sizes) {
 }
 
 TEST(Sphere_kernel_3, points_of_one_sphere_but_for_rounding) {
-  Random random(2);
+  Random_spheres random(2);
   int decided = 0;
   constexpr int count = 4000;
   for (int i = 0; i < count; ++i) {
@@ -69,7 +69,7 @@ TEST(Sphere_kernel_3, points_of_one_sphere_but_for_rounding) {
 }
 
 TEST(Sphere_kernel_3, points_near_each_other_on_one_sphere) {
-  Random random(3);
+  Random_spheres random(3);
   for (int i = 0; i < 2000; ++i) {
     const Point center(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
     const Point middle = random.on_sphere(center, 0.5);
@@ -100,7 +100,7 @@ TEST(Sphere_kernel_3, points_that_are_on_one_sphere_exactly) {
 }
 
 TEST(Sphere_kernel_3, points_in_a_plane_and_equal_ones) {
-  Random random(4);
+  Random_spheres random(4);
   for (int i = 0; i < 1000; ++i) {
     const double height = random.number(-1, 1);
     std::array<Point, 5> p;
@@ -126,7 +126,7 @@ CGAL::Oriented_side expect_powers_right(const std::array<Point, 5>& p, const Poi
 }
 
 TEST(Sphere_side_3, powers_decide_of_points_on_one_sphere_but_for_rounding) {
-  Random random(5);
+  Random_spheres random(5);
   int by_coordinates = 0;
   int by_powers = 0;
   constexpr int count = 4000;
@@ -144,7 +144,7 @@ TEST(Sphere_side_3, powers_decide_of_points_on_one_sphere_but_for_rounding) {
 }
 
 TEST(Sphere_side_3, powers_are_right_also_where_points_are_near_each_other) {
-  Random random(6);
+  Random_spheres random(6);
   for (int i = 0; i < 4000; ++i) {
     const Point center(random.number(-1, 1), random.number(-1, 1), random.number(-1, 1));
     const Point middle = random.on_sphere(center, 0.5);
@@ -160,7 +160,7 @@ TEST(Sphere_side_3, powers_are_right_also_where_points_are_near_each_other) {
 }
 
 TEST(Sphere_side_3, powers_of_points_far_from_the_sphere_say_nothing) {
-  Random random(7);
+  Random_spheres random(7);
   for (int i = 0; i < 100; ++i) {
     std::array<Point, 5> p;
     for (Point& q : p) q = random.on_sphere({0, 0, 0}, 1);

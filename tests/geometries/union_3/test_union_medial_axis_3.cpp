@@ -5,13 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/geometries/results.h"
 #include "tests/geometries/union_3/axis_checks_3.h"
 #include "tests/geometries/union_3/ball_sets.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 /// Tunnels, cavities and gaps as small as rounding are beyond what the axis can show.
 bool has_tiny_features(std::vector<Ball_3> balls) {

@@ -5,13 +5,12 @@
 #include <sstream>
 
 #include "geometries/union_3/union_3.h"
+#include "tests/geometries/results.h"
 #include "tests/geometries/union_3/ball_sets.h"
 #include "tests/geometries/union_3/boundary_oracle_3.h"
 
 namespace mesecina::test {
 namespace {
-
-testing::AssertionResult failure() { return testing::AssertionFailure(); }
 
 std::string place(const Point_3& p) {
   std::ostringstream text;
@@ -20,7 +19,7 @@ std::string place(const Point_3& p) {
   return text.str();
 }
 
-Union_vertices_3 vertices_of(const std::vector<Ball_3>& balls) {
+Union_vertices_3 union_vertices_of(const std::vector<Ball_3>& balls) {
   Progress progress;
   auto regular = std::make_shared<const Regular_3>(regular_triangulation(balls, progress));
   auto dual = std::make_shared<const Dual_3>(dual_complex(std::move(regular), progress));
@@ -29,7 +28,7 @@ Union_vertices_3 vertices_of(const std::vector<Ball_3>& balls) {
 
 /// The same points, with the same balls as far as they are not hidden.
 testing::AssertionResult are_vertices_of_the_definition(const std::vector<Ball_3>& balls) {
-  const Union_vertices_3 found = vertices_of(balls);
+  const Union_vertices_3 found = union_vertices_of(balls);
   const Boundary_oracle_3 boundary(balls);
   Ball_set shown = 0;
   for (std::size_t i = 0; i < balls.size(); ++i)
@@ -82,7 +81,7 @@ TEST(Union_vertices_3, are_those_of_simple_unions) {
     const std::vector<Named_balls> sets = difficult_ball_sets();
     const auto set = std::ranges::find(sets, name, &Named_balls::name);
     ASSERT_NE(set, sets.end());
-    EXPECT_EQ(vertices_of(set->balls).points.size(), count);
+    EXPECT_EQ(union_vertices_of(set->balls).points.size(), count);
   }
 }
 
