@@ -5,6 +5,7 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +23,33 @@ void parallel_region(const Progress& progress, const Body& body) {
     // For more it would print a warning.
     tbb::task_arena(std::min(progress.threads(), tbb::info::default_concurrency())).execute(body);
   }
+}
+
+/// Calls both, the second at the same time as the first if `progress` allows a second thread. They must not depend on
+/// each other. Only the first may report progress: it is called by this thread. Throws what the first throws, else what
+/// the second does.
+template <class First, class Second>
+void at_once(const Progress& progress, const First& first, const Second& second) {
+  if (progress.threads() <= 1) {
+    first();
+    second();
+    return;
+  }
+  parallel_region(progress, [&] {
+    tbb::task_group other;
+    other.run([&second] { second(); });
+    try {
+      first();
+    } catch (...) {
+      try {
+        other.wait();
+      } catch (...) {
+        // What the first threw goes before.
+      }
+      throw;
+    }
+    other.wait();
+  });
 }
 
 /// Calls body(b) for b in [0, blocks), on as many threads as `progress` allows, testing for cancellation before each.

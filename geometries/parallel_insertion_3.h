@@ -49,7 +49,7 @@ class Parallel_insertion_3 {
   void insert(std::span<const int> order) {
     total_ = order.size();
     const bool is_shared = progress_.threads() > 1 && order.size() >= least_shared;
-    const std::size_t alone = is_shared ? order.size() / 8 : order.size();
+    const std::size_t alone = is_shared ? std::max(least_alone, order.size() / 64) : order.size();
     std::size_t done = 0;
     // As long as all points lie in a plane, a point may change all cells.
     for (; done < order.size() && (done < alone || triangulation_.dimension() < 3); ++done) insert_alone(order[done]);
@@ -57,15 +57,14 @@ class Parallel_insertion_3 {
     // No one may have the infinite vertex: all territories have it.
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
     triangulation_.infinite_vertex()->set_point(Place(Place_3(nowhere, nowhere, nowhere)));
-    std::vector<int> left(order.begin() + static_cast<std::ptrdiff_t>(done), order.end());
-    constexpr int most_rounds = 2;
-    for (int round = 0; round < most_rounds && left.size() >= least_shared_again; ++round)
-      if (!insert_shared(left)) break;
-    last_ = {};  // it may be hidden by now
-    for (const int i : left) {
-      if (const Vertex near = vertex_near(i, [](int) { return true; }); near != Vertex()) last_ = near;
-      insert_alone(i);
+    // The more there are, the smaller are cells, and the fewer points change those of two territories.
+    std::vector<int> left;
+    for (const std::size_t end : {order.size() / 8, order.size()}) {
+      for (; done < end; ++done) left.push_back(order[done]);
+      if (left.size() >= least_shared_again && !insert_shared(left)) insert_alone(left);
     }
+    if (left.size() >= least_shared_again) insert_shared(left);
+    insert_alone(left);
   }
 
  private:
@@ -76,6 +75,7 @@ class Parallel_insertion_3 {
   using Locate_type = typename Numbered::Locate_type;
 
   static constexpr std::size_t least_shared = 4096;
+  static constexpr std::size_t least_alone = 1024;
   static constexpr std::size_t least_shared_again = 1024;
 
   void count_one() {
@@ -97,7 +97,20 @@ class Parallel_insertion_3 {
     if (vertex != Vertex()) last_ = vertex;
   }
 
-  /// The vertex with the nearest number, of those that fit; null where none is near.
+  void insert_alone(std::vector<int>& numbers) {
+    last_ = {};  // it may be hidden by now
+    for (const int i : numbers) {
+      if (const Vertex near = vertex_near(i); near != Vertex()) last_ = near;
+      insert_alone(i);
+    }
+    numbers.clear();
+  }
+
+  /// The vertex with the nearest number; null where none is near.
+  Vertex vertex_near(int i) const {
+    return vertex_near(i, [](int) { return true; });
+  }
+  /// The same of those that fit.
   template <class Fits>
   Vertex vertex_near(int i, const Fits& fits) const {
     constexpr int most = 64;
@@ -112,7 +125,7 @@ class Parallel_insertion_3 {
   /// Of the cells of a vertex, whose neighbour the point is to become.
   Territories_3::Reach reach_of(int i) {
     constexpr double everywhere = std::numeric_limits<double>::infinity();
-    const Vertex vertex = vertex_near(i, [](int) { return true; });
+    const Vertex vertex = vertex_near(i);
     const Point_3& p = points_[i];
     Territories_3::Reach reach{{p.x, p.y, p.z}, {p.x, p.y, p.z}};
     const auto take_everywhere = [&] {

@@ -117,9 +117,11 @@ class Approximation {
     crowded_.clear();
     has_shrunk_ = false;
     Faults faults;
-    faults.betti = difference_to_solid(*next.dual);
-    find_bumps(cells);
-    find_pits(next, cells);
+    const auto compare_surfaces = [&] {
+      find_bumps(cells);
+      find_pits(next, cells);
+    };
+    at_once(progress_, compare_surfaces, [&] { faults.betti = difference_to_solid(*next.dual); });
     faults.places = places_.size() + crowded_.size();
     if (faults.betti != 0) find_defects(next, cells);
     if (!best_ || faults < faults_) {

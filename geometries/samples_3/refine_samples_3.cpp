@@ -159,7 +159,8 @@ class Search {
     std::vector<Candidate> found;
   };
 
-  Search(const Sampled_balls_3& balls, const Triangle_mesh_3& surface, double gap, const Restless& restless)
+  Search(const Sampled_balls_3& balls, const Triangle_mesh_3& surface, double gap, const Restless& restless,
+         const Progress& progress)
       : balls_(balls),
         surface_(surface),
         wanted_(balls.samples.spacing),
@@ -169,13 +170,21 @@ class Search {
         open_(coarsest_),
         rough_(coarsest_),
         owner_(surface.vertices.size(), -1) {
-    for (std::size_t s = 0; s < restless.is_open.size(); ++s) {
-      if (restless.is_open[s] != 0) open_.add(balls.samples.points[s], coarsest_);
-      if (restless.is_rough[s] != 0) rough_.add(balls.samples.points[s], coarsest_);
-    }
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-      for (const int v : surface.triangles[t])
-        if (owner_[v] < 0) owner_[v] = static_cast<int>(t);
+    const auto add_where = [&](const std::vector<std::uint8_t>& is_wanted, Graded_grid_3& grid) {
+      for (std::size_t s = 0; s < is_wanted.size(); ++s)
+        if (is_wanted[s] != 0) grid.add(balls.samples.points[s], coarsest_);
+    };
+    const auto find_owners = [&] {
+      for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        for (const int v : surface.triangles[t])
+          if (owner_[v] < 0) owner_[v] = static_cast<int>(t);
+    };
+    at_once(
+        progress, [&] { add_where(restless.is_open, open_); },
+        [&] {
+          add_where(restless.is_rough, rough_);
+          find_owners();
+        });
   }
 
   void look_at(int triangle, Notes& notes) const {
@@ -361,10 +370,17 @@ std::vector<int> Sampled_balls_3::triangulate(const Solid_3& solid, Progress& pr
   };
   std::vector<Pole> before(poles().size());
   for (std::size_t s = 0; s < before.size(); ++s) before[s] = pole_of(s);
-  std::vector<int> renewed = triangulation_.add(std::span(samples.points).subspan(delaunay().points.size()), progress);
+  std::vector<int> renewed;
+  const auto add_to_triangulation = [&] {
+    renewed = triangulation_.add(std::span(samples.points).subspan(delaunay().points.size()), progress);
+  };
+  const auto add_to_grid = [&] {
+    if (!grid_) grid_.emplace(samples.covering_radius);
+    for (std::size_t s = grid_->size(); s < samples.points.size(); ++s)
+      grid_->add(samples.points[s], samples.spacing[s]);
+  };
+  at_once(progress, add_to_triangulation, add_to_grid);
   is_settled.resize(samples.points.size(), 0);
-  if (!grid_) grid_.emplace(samples.covering_radius);
-  for (std::size_t s = grid_->size(); s < samples.points.size(); ++s) grid_->add(samples.points[s], samples.spacing[s]);
   for (const int s : poles_.update(samples, delaunay(), renewed, solid, progress))
     if (s >= std::ssize(before) || !(pole_of(s) == before[s])) is_settled[s] = 0;
   return renewed;
@@ -381,7 +397,7 @@ std::size_t add_samples(Sampled_balls_3& balls, const Triangle_mesh_3& surface, 
                         double gap, Progress& progress) {
   const Restless restless = find_restless(balls, wanted, progress);
   balls.set_spacing(wanted);
-  const Search search(balls, surface, gap, restless);
+  const Search search(balls, surface, gap, restless, progress);
   constexpr std::size_t block = 4096;
   const std::size_t count = surface.triangles.size();
   std::vector<std::vector<Candidate>> found((count + block - 1) / block);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -171,11 +170,13 @@ class Pruner {
       const auto& ends = complex_.edges[e];
       return edge_degrees_[ends[0]] == 1 ? ends[0] : edge_degrees_[ends[1]] == 1 ? ends[1] : -1;
     };
-    std::map<int, std::vector<int>> edges_at;
+    std::vector<std::pair<int, int>> edges_at;  // vertex and edge
+    edges_at.reserve(2 * left.size());
     for (const int e : left) {
-      for (const int v : complex_.edges[e]) edges_at[v].push_back(e);
+      for (const int v : complex_.edges[e]) edges_at.emplace_back(v, e);
       if (free_end(e) >= 0) open.push_back(e);
     }
+    std::ranges::sort(edges_at);
     while (!open.empty()) {
       const int e = open.back();
       open.pop_back();
@@ -187,7 +188,7 @@ class Pruner {
       ++taken;
       const int other = complex_.edges[e][complex_.edges[e][0] == free ? 1 : 0];
       if (edge_degrees_[other] == 1)
-        for (const int next : edges_at[other])
+        for (const auto& [vertex, next] : std::ranges::equal_range(edges_at, other, {}, &std::pair<int, int>::first))
           if (has_edge_[next] != 0) open.push_back(next);
     }
     return taken == left.size();

@@ -50,9 +50,13 @@ class Dual_builder {
 
   Dual_3 build() {
     progress_.begin_stage("dual complex");
-    classify_cells();
-    classify_triangles();
-    classify_edges_and_vertices();
+    Stars stars;
+    const auto classify_across_facets = [&] {
+      classify_cells();
+      classify_triangles();
+    };
+    at_once(progress_, classify_across_facets, [&] { stars = stars_of_balls(regular_); });
+    classify_edges_and_vertices(stars);
     return std::move(result_);
   }
 
@@ -75,27 +79,40 @@ class Dual_builder {
   }
 
   void classify_triangles() {
-    has_triangle_.assign(regular_.cells.size(), {});
-    std::vector<std::array<Simplex_kind_3, 4>> kinds(regular_.cells.size());
-    parallel_for(regular_.cells.size(), progress_, [&](std::size_t c) {
-      kinds[c].fill(Simplex_kind_3::outside);
-      for (int i = 0; i < 4; ++i)
-        if (static_cast<int>(c) < regular_.neighbors[c][i]) kinds[c][i] = kind_of_triangle(static_cast<int>(c), i);
+    const std::size_t count = regular_.cells.size();
+    has_triangle_.assign(count, {});
+    std::vector<std::array<Simplex_kind_3, 4>> kinds(count);
+    constexpr std::size_t block = 8192;
+    const std::size_t blocks = (count + block - 1) / block;
+    const auto for_facets = [&](std::size_t b, const auto& use) {
+      for (std::size_t c = b * block; c < std::min(count, (b + 1) * block); ++c)
+        for (int i = 0; i < 4; ++i) use(static_cast<int>(c), i, kinds[c][i]);
+    };
+    std::vector<std::size_t> first(blocks + 1, 0);
+    parallel_blocks(blocks, progress_, [&](std::size_t b) {
+      std::size_t found = 0;
+      for_facets(b, [&](int c, int i, Simplex_kind_3& kind) {
+        kind = c < regular_.neighbors[c][i] ? kind_of_triangle(c, i) : Simplex_kind_3::outside;
+        if (kind != Simplex_kind_3::outside) ++found;
+      });
+      first[b + 1] = found;
     });
-    for (std::size_t c = 0; c < regular_.cells.size(); ++c) {
-      for (int i = 0; i < 4; ++i) {
-        if (kinds[c][i] == Simplex_kind_3::outside) continue;
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    result_.triangles.resize(first.back());
+    parallel_blocks(blocks, progress_, [&](std::size_t b) {
+      std::size_t next = first[b];
+      for_facets(b, [&](int c, int i, Simplex_kind_3 kind) {
+        if (kind == Simplex_kind_3::outside) return;
         const int across = regular_.neighbors[c][i];
-        Dual_3::Triangle triangle;
+        Dual_3::Triangle& triangle = result_.triangles[next++];
         const auto places = places_across(i);
         for (int k = 0; k < 3; ++k) triangle.balls[k] = regular_.cells[c][places[k]];
-        triangle.cells = {static_cast<int>(c), across};
-        triangle.kind = kinds[c][i];
-        result_.triangles.push_back(triangle);
+        triangle.cells = {c, across};
+        triangle.kind = kind;
         has_triangle_[c][i] = true;
-        has_triangle_[across][place_of(across, static_cast<int>(c), triangle.balls)] = true;
-      }
-    }
+        has_triangle_[across][place_of(across, c, triangle.balls)] = true;
+      });
+    });
   }
 
   /// The place of `cell` across from which `neighbor` lies with these corners in common.
@@ -124,8 +141,7 @@ class Dual_builder {
     return Simplex_kind_3::singular;
   }
 
-  void classify_edges_and_vertices() {
-    const Stars stars = stars_of_balls(regular_);
+  void classify_edges_and_vertices(const Stars& stars) {
     const std::size_t count = regular_.balls.size();
     result_.vertices.assign(count, Simplex_kind_3::outside);
     // Each block has an array of all balls.

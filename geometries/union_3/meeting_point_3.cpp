@@ -3,11 +3,16 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <functional>
 #include <numeric>
 #include <utility>
+
+#include "geometries/parallel.h"
 
 namespace mesecina {
 
@@ -128,11 +133,19 @@ Point_3 exact_meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, b
 }
 
 std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<const Meeting_name_3> names,
-                                      std::span<const Point_3> points) {
+                                      std::span<const Point_3> points, Progress& progress) {
   // Along a direction across which surfaces are not likely to be flat.
   const Point_3 direction{0.53, 0.61, 0.59};
-  std::vector<double> along(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) along[i] = dot(points[i], direction);
+  struct Place {
+    double along;
+    int number;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> places(points.size());
+  parallel_for(places.size(), progress, [&](std::size_t i) {
+    places[i] = {dot(points[i], direction), static_cast<int>(i)};
+  });
+  parallel_region(progress, [&] { tbb::parallel_sort(places.begin(), places.end(), std::less<>()); });
   // Of the balls, as all points may be one.
   Box box;
   for (const auto& [center, radius] : balls) {
@@ -140,9 +153,6 @@ std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<c
     box.add(center - extent);
     box.add(center + extent);
   }
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&along](int i) { return std::pair(along[i], i); });
   // What rounding does to the point of spheres that nearly touch.
   const double reach = 3e-8 * box.diagonal();
   std::vector<int> first(points.size());
@@ -151,12 +161,14 @@ std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<c
     while (first[i] != i) i = first[i] = first[first[i]];
     return i;
   };
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size() && along[order[j]] - along[order[i]] <= reach; ++j) {
-      const int a = root(order[i]);
-      const int b = root(order[j]);
-      if (a == b || squared_distance(points[order[i]], points[order[j]]) > reach * reach) continue;
-      if (is_same(balls, names[order[i]], names[order[j]])) first[std::max(a, b)] = std::min(a, b);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = i + 1; j < places.size() && places[j].along - places[i].along <= reach; ++j) {
+      const int p = places[i].number;
+      const int q = places[j].number;
+      const int a = root(p);
+      const int b = root(q);
+      if (a == b || squared_distance(points[p], points[q]) > reach * reach) continue;
+      if (is_same(balls, names[p], names[q])) first[std::max(a, b)] = std::min(a, b);
     }
   }
   for (int i = 0; i < static_cast<int>(first.size()); ++i) first[i] = root(i);

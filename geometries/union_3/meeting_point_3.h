@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/inputs.h"
+#include "core/progress.h"
 
 namespace mesecina {
 
@@ -24,6 +25,6 @@ Point_3 exact_meeting_point(const Ball_3& a, const Ball_3& b, const Ball_3& c, b
 /// given by `points`, are as near as rounding may move them are there any. Spheres must meet, and centers must not be
 /// on a line. O(n log n) where few points are so near to each other.
 std::vector<int> first_of_same_points(std::span<const Ball_3> balls, std::span<const Meeting_name_3> names,
-                                      std::span<const Point_3> points);
+                                      std::span<const Point_3> points, Progress& progress);
 
 }  // namespace mesecina

@@ -172,7 +172,7 @@ Union_vertices_3 union_vertices(std::shared_ptr<const Dual_3> dual, Progress& pr
   std::vector<Meeting_name_3> meetings;
   meetings.reserve(kept.size());
   for (const Name& name : kept) meetings.push_back({dual->triangles[name.triangle].balls, name.is_above});
-  const std::vector<int> first = first_of_same_points(balls, meetings, result.points);
+  const std::vector<int> first = first_of_same_points(balls, meetings, result.points, progress);
   std::map<int, std::vector<int>> others;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (first[i] != static_cast<int>(i)) others[first[i]].push_back(static_cast<int>(i));
