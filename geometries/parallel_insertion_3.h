@@ -49,7 +49,7 @@ class Parallel_insertion_3 {
   void insert(std::span<const int> order) {
     total_ = order.size();
     const bool is_shared = progress_.threads() > 1 && order.size() >= least_shared;
-    const std::size_t alone = is_shared ? std::max(least_alone, order.size() / 64) : order.size();
+    const std::size_t alone = is_shared ? std::max(least_alone, order.size() / 32) : order.size();
     std::size_t done = 0;
     // As long as all points lie in a plane, a point may change all cells.
     for (; done < order.size() && (done < alone || triangulation_.dimension() < 3); ++done) insert_alone(order[done]);
@@ -57,14 +57,16 @@ class Parallel_insertion_3 {
     // No one may have the infinite vertex: all territories have it.
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
     triangulation_.infinite_vertex()->set_point(Place(Place_3(nowhere, nowhere, nowhere)));
-    // The more there are, the smaller are cells, and the fewer points change those of two territories.
+    // What is left of the first ones comes before the others: it makes the cells between the territories smaller, and
+    // so fewer of the others change cells of two.
     std::vector<int> left;
     for (const std::size_t end : {order.size() / 8, order.size()}) {
       for (; done < end; ++done) left.push_back(order[done]);
-      if (left.size() >= least_shared_again && !insert_shared(left)) insert_alone(left);
+      const int rounds = end < order.size() ? 1 : 2;
+      for (int round = 0; round < rounds && left.size() >= least_shared_again; ++round)
+        if (!insert_shared(left)) break;
+      insert_alone(left);
     }
-    if (left.size() >= least_shared_again) insert_shared(left);
-    insert_alone(left);
   }
 
  private:
