@@ -188,8 +188,9 @@ class Pruner {
       ++taken;
       const int other = complex_.edges[e][complex_.edges[e][0] == free ? 1 : 0];
       if (edge_degrees_[other] == 1)
-        for (const auto& [vertex, next] : std::ranges::equal_range(edges_at, other, {}, &std::pair<int, int>::first))
-          if (has_edge_[next] != 0) open.push_back(next);
+        for (auto at = std::lower_bound(edges_at.begin(), edges_at.end(), std::pair(other, 0));
+             at != edges_at.end() && at->first == other; ++at)
+          if (has_edge_[at->second] != 0) open.push_back(at->second);
     }
     return taken == left.size();
   }
