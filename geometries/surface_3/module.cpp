@@ -77,7 +77,8 @@ void register_surface_3(Registry& registry) {
     setting.help =
         "Surfaces of unions of balls are nowhere farther than this from the true boundary, which has all the dents "
         "between balls. The default is below what unions of balls made with the default of delta differ from their "
-        "mesh. Larger does not make fewer triangles than the boundary has patches.";
+        "mesh. Larger does not make fewer triangles than the boundary has patches. Of skin surfaces edges are about so "
+        "near.";
     setting.unit = "fraction of the diagonal";
     setting.default_value = 0.002;
     setting.minimum = 1e-6;
@@ -123,19 +124,22 @@ void register_surface_3(Registry& registry) {
                    const auto balls = context.get(scale_axis_dual_3_key)->regular;
                    return surface_layer(*context.get(scale_axis_surface_3_key), balls->balls);
                  }));
-  registry.add_layer(make_layer(
+  Layer_spec skin = make_layer(
       "skin-surface", "Skin surface", "Union of balls",
-      "A smooth surface around the balls, of patches of spheres and hyperboloids; made of at most 2000 balls. [H. "
+      "A smooth surface around the balls, of patches of spheres and hyperboloids, within {surface-tolerance}. [H. "
       "Edelsbrunner: Deformable smooth surface design, 1999]",
       {200, 150, 150}, [](Context& context) {
-        Triangle_mesh_3 mesh =
-            skin_surface(*context.get(balls_3_key), context.setting(shrink_setting), context.progress());
+        const auto balls = context.get(balls_3_key);
+        const double tolerance = context.setting(tolerance_setting) * diagonal_of(*balls);
+        Triangle_mesh_3 mesh = skin_surface(*balls, context.setting(shrink_setting), tolerance, context.progress());
         Primitive_set set = primitives_in_space();
         set.vertices = std::move(mesh.vertices);
         set.triangles = std::move(mesh.triangles);
         set.is_complex = true;
         return set;
-      }));
+      });
+  skin.style.smooth = true;
+  registry.add_layer(std::move(skin));
 }
 
 }  // namespace mesecina

@@ -8,14 +8,13 @@
 
 namespace mesecina {
 
-/// More are refused: each one takes 2 ms along a medial axis, up to 7 ms in a heap, and 0.2 MB.
-inline constexpr std::size_t most_skin_balls = 2000;
-
 /// The skin surface around balls: like the boundary of their union, but smooth, with patches of spheres and
-/// hyperboloids. `shrink_factor` in (0, 1): the smaller, the wider the blends. Closed, manifold, oriented outward;
-/// vertices are within about a hundredth of the radii of the surface. Throws Unavailable when there are no balls with a
-/// radius or too many. It cannot be cancelled while it runs. [H. Edelsbrunner: Deformable smooth surface design, 1999;
-/// N. Kruithof, G. Vegter: Meshing skin surfaces with certified topology, 2007]
-Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_factor, Progress& progress);
+/// hyperboloids. `shrink_factor` in (0, 1): the smaller, the wider the blends. Closed, manifold, oriented outward; its
+/// vertices lie on the skin surface, to rounding, and edges are within about `tolerance` (a positive length) of it.
+/// Which parts there are is decided exactly. Throws Unavailable when no ball has a radius.
+/// O(n log n) for n simplices of the regular triangulation and output triangles. [H. Edelsbrunner: Deformable smooth
+/// surface design, 1999; N. Kruithof, G. Vegter: Meshing skin surfaces with certified topology, 2007]
+Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_factor, double tolerance,
+                             Progress& progress);
 
 }  // namespace mesecina

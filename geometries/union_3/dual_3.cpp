@@ -194,8 +194,8 @@ class Dual_builder {
     if (has_edge) {
       kind = has_gap ? Simplex_kind_3::regular : Simplex_kind_3::interior;
     } else {
-      const bool is_taken =
-          std::ranges::any_of(star, [&](const Edge_star& edge) { return spheres_.is_center_taken(ball, edge.other); });
+      const bool is_taken = std::ranges::any_of(
+          star, [&](const Edge_star& edge) { return spheres_.is_in_conflict(edge.other, std::array{ball}); });
       kind = is_taken ? Simplex_kind_3::outside : Simplex_kind_3::singular;
     }
   }

@@ -137,20 +137,21 @@ template CGAL::Comparison_result Orthogonal_spheres_3::sign(const std::array<int
 template CGAL::Comparison_result Orthogonal_spheres_3::sign(const std::array<int, 4>&) const;
 
 template <std::size_t Count>
-bool Orthogonal_spheres_3::is_in_conflict(int other, const std::array<int, Count>& balls) const {
+CGAL::Comparison_result Orthogonal_spheres_3::power(int other, const std::array<int, Count>& balls) const {
   const auto decide = [&](const auto&... points) {
-    const CGAL::Comparison_result quick = quick_power(points..., points_[other]);
-    if (quick != CGAL::EQUAL) return quick == CGAL::SMALLER;
-    return kernel_.power_side_of_bounded_power_sphere_3_object()(points..., points_[other]) == CGAL::ON_BOUNDED_SIDE;
+    if constexpr (Count == 1) {
+      return kernel_.compare_power_distance_3_object()(points.point()..., points_[other], points...);
+    } else {
+      const CGAL::Comparison_result quick = quick_power(points..., points_[other]);
+      if (quick != CGAL::EQUAL) return quick;
+      return CGAL::enum_cast<CGAL::Comparison_result>(
+          CGAL::opposite(kernel_.power_side_of_bounded_power_sphere_3_object()(points..., points_[other])));
+    }
   };
   return with_points(decide, points_, balls, std::make_index_sequence<Count>());
 }
-template bool Orthogonal_spheres_3::is_in_conflict(int, const std::array<int, 2>&) const;
-template bool Orthogonal_spheres_3::is_in_conflict(int, const std::array<int, 3>&) const;
-
-bool Orthogonal_spheres_3::is_center_taken(int ball, int other) const {
-  const auto& center = points_[ball].point();
-  return kernel_.compare_power_distance_3_object()(center, points_[other], points_[ball]) == CGAL::SMALLER;
-}
+template CGAL::Comparison_result Orthogonal_spheres_3::power(int, const std::array<int, 1>&) const;
+template CGAL::Comparison_result Orthogonal_spheres_3::power(int, const std::array<int, 2>&) const;
+template CGAL::Comparison_result Orthogonal_spheres_3::power(int, const std::array<int, 3>&) const;
 
 }  // namespace mesecina

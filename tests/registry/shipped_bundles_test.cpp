@@ -37,9 +37,7 @@ void check_on(const std::shared_ptr<const Registry>& registry, const Inputs& inp
   Progress progress;
   for (const Bundle& bundle : shipped_bundles(*registry)) {
     const Arrangement arrangement = apply_bundle(bundle, *registry, {Settings(), default_layers(*registry)});
-    // Skin surfaces are made of few balls only.
-    const bool has_delta = registry->find_setting("delta") != nullptr;
-    graph.set_settings(has_delta ? arrangement.settings.with("delta", 0.05) : arrangement.settings);
+    graph.set_settings(arrangement.settings);
     std::size_t elements = 0;
     std::string reasons;
     for (const Layer_entry& layer : bundle.layers) {

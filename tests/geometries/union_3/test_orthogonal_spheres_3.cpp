@@ -24,16 +24,22 @@ void expect_as_cgal(const std::vector<Ball_3>& balls) {
   for (const Ball_3& ball : balls) p.push_back(weighted(ball));
   const Orthogonal_spheres_3 spheres(balls);
   const auto sign = Kernel().compare_weighted_squared_radius_3_object();
-  const auto side = Kernel().power_side_of_bounded_power_sphere_3_object();
+  const auto power = [](const auto&... points) {
+    return CGAL::enum_cast<CGAL::Comparison_result>(
+        CGAL::opposite(Kernel().power_side_of_bounded_power_sphere_3_object()(points...)));
+  };
   const auto point = [&](int i) { return p[i].point(); };
   const bool is_cell = CGAL::orientation(point(0), point(1), point(2), point(3)) != CGAL::COPLANAR;
   const bool is_triangle = !CGAL::collinear(point(0), point(1), point(2));
   ASSERT_NE(point(0), point(1));
   EXPECT_EQ(spheres.sign(std::array{0, 1}), sign(p[0], p[1], 0));
-  EXPECT_EQ(spheres.is_in_conflict(4, std::array{0, 1}), side(p[0], p[1], p[4]) == CGAL::ON_BOUNDED_SIDE);
+  EXPECT_EQ(spheres.power(4, std::array{0}), power(p[0], p[4]));
+  EXPECT_EQ(spheres.is_in_conflict(4, std::array{0}), power(p[0], p[4]) == CGAL::SMALLER);
+  EXPECT_EQ(spheres.power(4, std::array{0, 1}), power(p[0], p[1], p[4]));
+  EXPECT_EQ(spheres.is_in_conflict(4, std::array{0, 1}), power(p[0], p[1], p[4]) == CGAL::SMALLER);
   if (is_triangle) {
     EXPECT_EQ(spheres.sign(std::array{0, 1, 2}), sign(p[0], p[1], p[2], 0));
-    EXPECT_EQ(spheres.is_in_conflict(4, std::array{0, 1, 2}), side(p[0], p[1], p[2], p[4]) == CGAL::ON_BOUNDED_SIDE);
+    EXPECT_EQ(spheres.power(4, std::array{0, 1, 2}), power(p[0], p[1], p[2], p[4]));
   }
   if (is_cell) {
     EXPECT_EQ(spheres.sign(std::array{0, 1, 2, 3}), sign(p[0], p[1], p[2], p[3], 0));
