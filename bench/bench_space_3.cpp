@@ -19,6 +19,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 #include <thread>
 #include <tuple>
@@ -53,18 +54,26 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 
 Settings settings_of(double delta, double s) { return Settings().with("delta", delta).with("scale", s); }
 
-/// The delta that gives this number of balls, to three hundredths. Their number goes with 1 / delta^2, nearly.
+/// The delta that gives this number of balls, to three hundredths or as near as twelve halvings bring it. Their number
+/// goes with 1 / delta^2, nearly, but for meshes whose vertices are samples over a range of deltas.
 double find_delta(const Inputs& inputs, double count, int threads) {
   Graph graph(make_registry_3());
   graph.set_inputs(inputs);
   Progress progress({}, {}, threads);
-  double delta = 0.01;
-  constexpr int most_rounds = 8;
-  for (int i = 0; i < most_rounds; ++i) {
+  const auto found_by_wanted = [&](double delta) {
     graph.set_settings(settings_of(delta, scale));
-    const auto found = static_cast<double>(need(graph.structure(balls_3_key, progress))->size());
-    if (std::abs(found / count - 1) < 0.03) break;
-    delta *= std::sqrt(found / count);
+    return static_cast<double>(need(graph.structure(balls_3_key, progress))->size()) / count;
+  };
+  constexpr double tolerance = 0.03;
+  double delta = 0.01;
+  double found = found_by_wanted(delta);
+  std::optional<double> too_fine;
+  std::optional<double> too_coarse;
+  constexpr int most_rounds = 12;
+  for (int i = 0; i < most_rounds && std::abs(found - 1) > tolerance; ++i) {
+    (found > 1 ? too_fine : too_coarse) = delta;
+    delta = too_fine && too_coarse ? std::sqrt(*too_fine * *too_coarse) : delta * std::sqrt(found);
+    found = found_by_wanted(delta);
   }
   return delta;
 }
