@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -80,8 +81,12 @@ std::vector<Split> double_edges(const Triangle_mesh_3& mesh, const std::vector<i
 
 class Edge_collapser {
  public:
-  Edge_collapser(Triangle_mesh_3& mesh, double limit)
-      : mesh_(mesh), limit_(limit), triangles_(mesh.vertices.size()), drift_(mesh.vertices.size(), 0.0) {
+  Edge_collapser(Triangle_mesh_3& mesh, double limit, Progress& progress)
+      : mesh_(mesh),
+        limit_(limit),
+        progress_(progress),
+        triangles_(mesh.vertices.size()),
+        drift_(mesh.vertices.size(), 0.0) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (const int v : mesh.triangles[t]) triangles_[v].push_back(static_cast<int>(t));
   }
@@ -106,7 +111,11 @@ class Edge_collapser {
     const auto key = [](const Short_edge& e) { return std::tuple(e.length, e.from, e.to); };
     std::ranges::sort(edges, {}, key);
     std::size_t count = 0;
-    for (const auto& [length, from, to] : edges) count += static_cast<std::size_t>(collapse(from, to));
+    constexpr std::size_t block = 4096;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i % block == 0) progress_.check();
+      count += static_cast<std::size_t>(collapse(edges[i].from, edges[i].to));
+    }
     return count;
   }
 
@@ -168,7 +177,7 @@ class Edge_collapser {
         continue;
       }
       for (const int v : triangle)
-        if (v != gone) std::erase(triangles_[v], t);
+        if (v != gone) triangles_[v].erase(std::ranges::find(triangles_[v], t));
       triangle.fill(-1);
     }
     triangles_[gone].clear();
@@ -177,8 +186,9 @@ class Edge_collapser {
 
   Triangle_mesh_3& mesh_;
   double limit_;
-  std::vector<std::vector<int>> triangles_;  ///< per vertex
-  std::vector<double> drift_;                ///< per vertex, how far away is what it stands for
+  Progress& progress_;
+  std::vector<boost::container::small_vector<int, 8>> triangles_;  ///< per vertex
+  std::vector<double> drift_;                                      ///< per vertex, how far away is what it stands for
   std::vector<int> around_;
   std::vector<int> common_;
 };
@@ -238,12 +248,10 @@ void split_double_edges(Triangle_mesh_3& mesh, std::vector<int>& piece_of_triang
 
 void collapse_short_edges(Triangle_mesh_3& mesh, std::vector<int>& piece_of_triangle, double limit,
                           Progress& progress) {
-  Edge_collapser collapser(mesh, limit);
+  Edge_collapser collapser(mesh, limit, progress);
   constexpr int most_passes = 8;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    progress.check();
+  for (int pass = 0; pass < most_passes; ++pass)
     if (collapser.pass() == 0) break;
-  }
   remove_unused(mesh, piece_of_triangle);
 }
 

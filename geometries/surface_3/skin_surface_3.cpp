@@ -88,14 +88,7 @@ class Skin_mesher {
     Triangle_mesh_3 mesh;
     mesh.vertices = std::move(vertices_);
     mesh.triangles.reserve(triangles_.size());
-    std::vector<int> cut_of_triangle;
-    for (const Triangle& triangle : triangles_) {
-      mesh.triangles.push_back(triangle.vertices);
-      cut_of_triangle.push_back(triangle.cut);
-    }
-    // Subdivisions of thin cells are thin.
-    constexpr double short_part = 0.25;
-    collapse_short_edges(mesh, cut_of_triangle, short_part * tolerance_, progress_);
+    for (const Triangle& triangle : triangles_) mesh.triangles.push_back(triangle.vertices);
     return mesh;
   }
 
@@ -440,8 +433,16 @@ std::vector<Ball_3> surrounded(const std::vector<Ball_3>& balls, double shrink_f
 
 Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_factor, double tolerance,
                              Progress& progress) {
-  const Regular_3 regular = regular_triangulation(surrounded(balls, shrink_factor), progress);
-  return Skin_mesher(regular, shrink_factor, tolerance, progress).mesh();
+  const auto triangulated = [&] {
+    const Regular_3 regular = regular_triangulation(surrounded(balls, shrink_factor), progress);
+    return Skin_mesher(regular, shrink_factor, tolerance, progress).mesh();
+  };
+  Triangle_mesh_3 mesh = triangulated();
+  // What is cut out of thin cells is thin.
+  constexpr double short_part = 0.25;
+  std::vector<int> pieces(mesh.triangles.size(), 0);
+  collapse_short_edges(mesh, pieces, short_part * tolerance, progress);
+  return mesh;
 }
 
 }  // namespace mesecina
