@@ -243,6 +243,13 @@ std::optional<Session::Bundle_name> bundle_of(const Json& json) {
   return Session::Bundle_name{name.get<std::string>(), changed.get<bool>()};
 }
 
+std::optional<Canvas_background> background_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  const auto background = json.is_string() ? background_named(json.get<std::string>()) : std::nullopt;
+  if (!background) refuse_json(json, "background", "\"paper\", \"dark\", \"window\" or \"none\"");
+  return background;
+}
+
 }  // namespace
 
 std::optional<View_2> view_for(const Session& session, double width, double height) {
@@ -273,6 +280,7 @@ std::string to_json(const Session& session, const Input_text& input_text) {
   if (const Json view = view_of(session); !view.is_null()) append_member(text, "view", dumped(view));
   if (session.bundle)
     append_member(text, "bundle", dumped({{"name", session.bundle->name}, {"changed", session.bundle->is_changed}}));
+  if (session.background) append_member(text, "background", dumped(name_of(*session.background)));
   if (session.film) append_member(text, "recording", dumped(film_wish_to_json(*session.film, session.unknown.film)));
   for (const auto& [name, json] : session.unknown.members) append_member(text, name, dumped(Json::parse(json)));
   Written written;
@@ -306,6 +314,7 @@ Session parse_session(std::string_view text, const Registry& registry, const Inp
     session.layers = layers_from_json(layers, registry, "layers", unknown);
   read_view(session, take(json, "view"));
   session.bundle = bundle_of(take(json, "bundle"));
+  session.background = background_of(take(json, "background"));
   if (const Json film = take(json, "recording"); !film.is_null())
     session.film = film_wish_from_json(film, registry, "recording", session.unknown.film, unknown.notes);
   const Known_inputs none = [](const Json& reference, const std::string& where) -> const Inputs& {

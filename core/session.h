@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/canvas_background.h"
 #include "core/film_wish.h"
 #include "core/formats/scene_json.h"
 #include "core/inputs.h"
@@ -44,7 +45,8 @@ struct Session {
     bool operator==(const Bundle_name&) const = default;
   };
   std::optional<Bundle_name> bundle;
-  std::optional<Film_wish> film;  ///< that was to be recorded next
+  std::optional<Canvas_background> background;  ///< none: the user's usual one
+  std::optional<Film_wish> film;                ///< that was to be recorded next
   /// What evolutions went through, from where the first one began; none for data that no evolution has changed.
   struct Step {
     Inputs inputs;

@@ -309,6 +309,7 @@ Startup startup_of(const Command_line& command_line) {
   session.view_3 = command_line.view_3;
   session.camera_path = command_line.key_frames;
   session.settings = command_line.settings;
+  session.background = command_line.background;
   for (auto& [id, style] : session.layers) {
     if (const auto changed = command_line.styles.find(id); changed != command_line.styles.end())
       style = changed->second;

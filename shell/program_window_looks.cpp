@@ -94,6 +94,7 @@ void Program_window::show_background(Canvas_background background) {
   for (const Background_choice& choice : background_choices)
     (*actions_)[QLatin1String(choice.id)]->setChecked(choice.background == background);
   show_scene();
+  touch_scene();
 }
 
 void Program_window::set_background(Canvas_background background) {

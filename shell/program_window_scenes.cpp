@@ -25,6 +25,7 @@ Session Program_window::session() const {
   session.is_modified = document_.is_modified();
   session.unknown = unknown_;
   session.bundle = bundles_->in_force();
+  session.background = background_;
   if (recording_) session.film = recording_->wish();
   add_view(session);
   return session;
@@ -35,7 +36,7 @@ void Program_window::make_session_actions() {
   actions_->add(group,
                 {QStringLiteral("save-session"),
                  tr("Save s&ession as…"),
-                 tr("Save everything into one file: data, layers, settings, view, steps, what is recorded"),
+                 tr("Save everything into one file: data, layers, settings, view, steps, background, what is recorded"),
                  {QKeySequence(Qt::CTRL | Qt::ALT | Qt::SHIFT | Qt::Key_S)}},
                 [this] { common_files_->save_session_as(); });
   const auto add_habit = [&](QLatin1String key, const QString& text, const QString& tip, std::function<void()> run) {
@@ -104,6 +105,7 @@ void Program_window::touch_scene() {
 void Program_window::show_session(const Session& session) {
   unknown_ = session.unknown;
   show_view(session);
+  if (session.background) show_background(*session.background);
   if (session.film && recording_) recording_->show(*session.film);
   touch_scene();
 }

@@ -307,6 +307,7 @@ void take_session(Command_line& result, const std::filesystem::path& file, const
       result.warnings.push_back("--session " + file.string() + ": " + note);
   }
   result.settings = result.session->settings;
+  result.background = result.session->background;
   for (const auto& [id, style] : result.session->layers) {
     if (!registry.find_layer(id)) continue;
     result.styles[id] = style;

@@ -94,6 +94,21 @@ TEST_F(Window_sessions, ASavedSessionBringsEverythingBack) {
   EXPECT_FALSE(window().actions()["undo"]->isEnabled());
 }
 
+TEST_F(Window_sessions, TheBackgroundComesBackAndTheUsualOneStays) {
+  trigger("background-dark");
+  const QString path = folder_.filePath("dark.mesecina");
+  ASSERT_TRUE(window().files().save_session_to(path));
+  ASSERT_TRUE(wait_until_saved());
+  trigger("background-paper");
+  open_window();
+  EXPECT_TRUE(window().actions()["background-paper"]->isChecked());
+  open(path);
+  EXPECT_TRUE(window().actions()["background-dark"]->isChecked());
+  EXPECT_EQ(window().session().background, Canvas_background::dark);
+  open_window();
+  EXPECT_TRUE(window().actions()["background-paper"]->isChecked());
+}
+
 TEST_F(Window_sessions, TheBundleInForceIsKnownUntilUndone) {
   const auto in_force = [&] { return window().bundles().in_force(); };
   const auto bundle = [&](std::size_t row) { return window().bundles().store().bundles()[row].name; };

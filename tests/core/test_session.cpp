@@ -92,6 +92,7 @@ Session full_session() {
   session.width = 800.5;
   session.height = 600;
   session.bundle = Session::Bundle_name{"My \"bundle\"", true};
+  session.background = Canvas_background::dark;
   session.film = Film_wish{Film_wish::Source::animation,
                            "/films/a b.webm",
                            641,
@@ -127,6 +128,7 @@ TEST(Session_test, plane_reads_back_to_the_last_bit) {
   EXPECT_EQ(back.view_2, session.view_2);
   EXPECT_EQ(back.width, session.width);
   EXPECT_EQ(back.bundle, session.bundle);
+  EXPECT_EQ(back.background, session.background);
   EXPECT_EQ(back.film, session.film);
   const auto points = back.inputs.get(points_input);
   const auto disks = back.inputs.get(disks_input);
@@ -194,14 +196,16 @@ TEST(Session_test, what_is_unknown_is_kept) {
   EXPECT_EQ(to_json(parse_session(again.dump(), registry)), to_json(read));
 }
 
-TEST(Session_test, files_of_earlier_versions_read_without_bundle_and_film) {
+TEST(Session_test, files_of_earlier_versions_read_without_bundle_background_and_film) {
   const Registry registry = registry_of(2);
   auto json = nlohmann::json::parse(to_json(full_session()));
   json.erase("bundle");
+  json.erase("background");
   json.erase("recording");
   const Session read = parse_session(json.dump(), registry);
   EXPECT_THAT(read.unknown.parts.notes, IsEmpty());
   EXPECT_EQ(read.bundle, std::nullopt);
+  EXPECT_EQ(read.background, std::nullopt);
   EXPECT_EQ(read.film, std::nullopt);
   EXPECT_EQ(nlohmann::json::parse(to_json(read)), json);
 }
@@ -314,6 +318,7 @@ TEST(Session_test, wrong_parts_are_refused_with_their_place) {
   EXPECT_THAT(with("/view/scale", 0), HasSubstr("view.scale: expected a positive number"));
   EXPECT_THAT(with("/bundle/name", 3), HasSubstr("bundle: expected an object with the \"name\""));
   EXPECT_THAT(with("/bundle/changed", 3), HasSubstr("bundle.changed: expected true or false"));
+  EXPECT_THAT(with("/background", "red"), HasSubstr("background: expected \"paper\", \"dark\""));
   EXPECT_THAT(with("/recording", 3), HasSubstr("recording: expected an object"));
   EXPECT_THAT(with("/recording/size/0", 0), HasSubstr("recording.size[0]: expected a whole number from 1 to 32768"));
   EXPECT_THAT(with("/recording/size", {1, 2, 3}), HasSubstr("recording.size: expected a width and a height"));
