@@ -19,19 +19,31 @@ constexpr std::size_t most_balls = 20'000'000;
 
 class Sampler {
  public:
-  Sampler(const Medial_complex_3& complex, double scale, double min_angle) : scale_(scale) {
+  Sampler(const Medial_complex_3& complex, double scale, double min_angle, Progress& progress) : scale_(scale) {
     constexpr double largest_angle = 179;
     cosine_ = std::cos(std::min(min_angle, largest_angle) * std::numbers::pi / 180);
-    result_.centers = complex.centers;
-    result_.radii = complex.radii;
-    for (std::size_t f = 0; f < complex.face_count(); ++f) {
+    // A face with n corners has n - 2 triangles.
+    const std::size_t count = complex.face_vertices.size() - 2 * complex.face_count();
+    const auto copy_balls = [&] {
+      result_.centers = complex.centers;
+      result_.radii = complex.radii;
+      result_.triangles.reserve(count);
+      result_.face_of_triangle.reserve(count);
+    };
+    const auto make_room = [&] {
+      open_.resize(count);
+      open_faces_.resize(count);
+    };
+    at_once(progress, make_room, copy_balls);
+    parallel_for(complex.face_count(), progress, [&](std::size_t f) {
       const auto corners = complex.face(f);
-      for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        open_.push_back({corners[0], corners[i], corners[i + 1]});
-        open_faces_.push_back(static_cast<int>(f));
+      std::size_t t = complex.face_offsets[f] - 2 * f;
+      for (std::size_t i = 1; i + 1 < corners.size(); ++i, ++t) {
+        open_[t] = {corners[0], corners[i], corners[i + 1]};
+        open_faces_[t] = static_cast<int>(f);
       }
-    }
-    Loose_parts_3 loose = loose_parts(complex);
+    });
+    Loose_parts_3 loose = loose_parts(complex, progress);
     open_edges_ = std::move(loose.edges);
     result_.points = std::move(loose.vertices);
   }
@@ -163,7 +175,7 @@ class Sampler {
 
 Ball_complex_3 sampled(const Medial_complex_3& complex, double scale, double min_angle, Progress& progress) {
   progress.begin_stage("sampling of the scale axis");
-  return Sampler(complex, scale, min_angle).run(progress);
+  return Sampler(complex, scale, min_angle, progress).run(progress);
 }
 
 }  // namespace mesecina

@@ -4,6 +4,8 @@
 #include <queue>
 #include <utility>
 
+#include "core/disjoint_sets.h"
+#include "geometries/parallel.h"
 #include "geometries/scale_axis_3/scale_axis_3.h"
 
 namespace mesecina {
@@ -39,27 +41,16 @@ struct Incidences {
   std::vector<int> edge_degrees;  ///< per vertex
 };
 
+/// Numbered by their first faces.
 Sheets_3 sheets_of(const Medial_complex_3& complex, const Incidences& incidences) {
+  Disjoint_sets sets(complex.face_count());
+  for (std::size_t e = 0; e < complex.edges.size(); ++e)
+    if (const auto faces = incidences.faces_of(static_cast<int>(e)); faces.size() == 2) sets.join(faces[0], faces[1]);
   Sheets_3 result;
-  result.sheet_of_face.assign(complex.face_count(), -1);
-  std::vector<int> open;
-  for (std::size_t first = 0; first < complex.face_count(); ++first) {
-    if (result.sheet_of_face[first] >= 0) continue;
-    result.sheet_of_face[first] = result.count;
-    open.push_back(static_cast<int>(first));
-    while (!open.empty()) {
-      const int f = open.back();
-      open.pop_back();
-      for (const int e : incidences.edges_of(complex, f)) {
-        const auto faces = incidences.faces_of(e);
-        if (faces.size() != 2) continue;
-        const int other = faces[0] == f ? faces[1] : faces[0];
-        if (result.sheet_of_face[other] >= 0) continue;
-        result.sheet_of_face[other] = result.count;
-        open.push_back(other);
-      }
-    }
-    ++result.count;
+  result.sheet_of_face.reserve(complex.face_count());
+  for (int f = 0; f < static_cast<int>(complex.face_count()); ++f) {
+    const int first = sets.find(f);
+    result.sheet_of_face.push_back(first == f ? result.count++ : result.sheet_of_face[first]);
   }
   return result;
 }
@@ -103,31 +94,54 @@ class Pruner {
     }
   }
 
-  Pruned_complex_3 result() const {
+  Pruned_complex_3 result(Progress& progress) const {
     Pruned_complex_3 pruned;
     Medial_complex_3& result = pruned.complex;
-    result.face_offsets.push_back(0);
     std::vector<int> renamed(complex_.centers.size(), -1);
-    for (std::size_t v = 0; v < renamed.size(); ++v) {
-      if (has_vertex_[v] == 0) continue;
-      renamed[v] = static_cast<int>(result.centers.size());
-      result.centers.push_back(complex_.centers[v]);
-      result.radii.push_back(complex_.radii[v]);
-      result.balls.push_back(complex_.balls[v]);
-    }
-    std::vector<int> renumbered(faces_.size(), -1);
-    for (std::size_t f = 0; f < has_face_.size(); ++f) {
-      if (has_face_[f] == 0) continue;
-      pruned.faces.push_back(static_cast<int>(f));
-      int& sheet = renumbered[sheet_of_face_[f]];
-      if (sheet < 0) sheet = pruned.sheets.count++;
-      pruned.sheets.sheet_of_face.push_back(sheet);
-      for (const int v : complex_.face(f)) result.face_vertices.push_back(renamed[v]);
-      result.face_offsets.push_back(static_cast<int>(result.face_vertices.size()));
-      result.contacts.push_back(complex_.contacts[f]);
-    }
-    for (std::size_t e = 0; e < has_edge_.size(); ++e)
-      if (has_edge_[e] != 0) result.edges.push_back({renamed[complex_.edges[e][0]], renamed[complex_.edges[e][1]]});
+    const auto take_vertices = [&] {
+      const auto count = static_cast<std::size_t>(std::ranges::count(has_vertex_, 1));
+      result.centers.reserve(count);
+      result.radii.reserve(count);
+      result.balls.reserve(count);
+      for (std::size_t v = 0; v < renamed.size(); ++v) {
+        if (has_vertex_[v] == 0) continue;
+        renamed[v] = static_cast<int>(result.centers.size());
+        result.centers.push_back(complex_.centers[v]);
+        result.radii.push_back(complex_.radii[v]);
+        result.balls.push_back(complex_.balls[v]);
+      }
+    };
+    const auto take_faces = [&] {
+      const auto count = static_cast<std::size_t>(std::ranges::count(has_face_, 1));
+      pruned.faces.reserve(count);
+      pruned.sheets.sheet_of_face.reserve(count);
+      result.contacts.reserve(count);
+      result.face_offsets.reserve(count + 1);
+      result.face_offsets.push_back(0);
+      std::vector<int> renumbered(faces_.size(), -1);
+      for (std::size_t f = 0; f < has_face_.size(); ++f) {
+        if (has_face_[f] == 0) continue;
+        pruned.faces.push_back(static_cast<int>(f));
+        int& sheet = renumbered[sheet_of_face_[f]];
+        if (sheet < 0) sheet = pruned.sheets.count++;
+        pruned.sheets.sheet_of_face.push_back(sheet);
+        result.face_offsets.push_back(result.face_offsets.back() + static_cast<int>(complex_.face(f).size()));
+        result.contacts.push_back(complex_.contacts[f]);
+      }
+      result.face_vertices.resize(result.face_offsets.back());
+    };
+    at_once(progress, take_faces, take_vertices);
+    const auto take_edges = [&] {
+      result.edges.reserve(static_cast<std::size_t>(std::ranges::count(has_edge_, 1)));
+      for (std::size_t e = 0; e < has_edge_.size(); ++e)
+        if (has_edge_[e] != 0) result.edges.push_back({renamed[complex_.edges[e][0]], renamed[complex_.edges[e][1]]});
+    };
+    const auto take_corners = [&] {
+      for (std::size_t f = 0; f < pruned.faces.size(); ++f)
+        std::ranges::transform(complex_.face(pruned.faces[f]), result.face_vertices.begin() + result.face_offsets[f],
+                               [&](int v) { return renamed[v]; });
+    };
+    at_once(progress, take_corners, take_edges);
     return pruned;
   }
 
@@ -136,7 +150,8 @@ class Pruner {
     removed_faces_.clear();
     removed_edges_.clear();
     removed_vertices_.clear();
-    std::vector<int> free_edges;
+    std::vector<int>& free_edges = edge_buffer_;
+    free_edges.clear();
     for (const int f : faces_[sheet])
       for (const int e : incidences_.edges_of(complex_, f))
         if (face_degrees_[e] == 1) free_edges.push_back(e);
@@ -158,20 +173,22 @@ class Pruner {
 
   /// Edges of the sheet that no face has any more, from free vertices on. False when some are left.
   bool take_remaining_edges(int sheet) {
-    std::vector<int> left;
+    std::vector<int>& left = edge_buffer_;
+    left.clear();
     for (const int f : faces_[sheet])
       for (const int e : incidences_.edges_of(complex_, f))
         if (has_edge_[e] != 0 && face_degrees_[e] == 0) left.push_back(e);
     std::ranges::sort(left);
     left.erase(std::unique(left.begin(), left.end()), left.end());
     std::size_t taken = 0;
-    std::vector<int> open;
+    std::vector<int>& open = open_;
+    open.clear();
     const auto free_end = [&](int e) {
       const auto& ends = complex_.edges[e];
       return edge_degrees_[ends[0]] == 1 ? ends[0] : edge_degrees_[ends[1]] == 1 ? ends[1] : -1;
     };
-    std::vector<std::pair<int, int>> edges_at;  // vertex and edge
-    edges_at.reserve(2 * left.size());
+    std::vector<std::pair<int, int>>& edges_at = edges_at_;
+    edges_at.clear();
     for (const int e : left) {
       for (const int v : complex_.edges[e]) edges_at.emplace_back(v, e);
       if (free_end(e) >= 0) open.push_back(e);
@@ -262,6 +279,10 @@ class Pruner {
   std::vector<int> removed_faces_;
   std::vector<int> removed_edges_;
   std::vector<int> removed_vertices_;
+  // Memory for what a sheet needs.
+  std::vector<int> edge_buffer_;
+  std::vector<int> open_;
+  std::vector<std::pair<int, int>> edges_at_;  ///< vertices with their edges
 };
 
 }  // namespace
@@ -303,7 +324,7 @@ Pruned_complex_3 without_small_sheets(const Medial_complex_3& complex, const std
   progress.begin_stage("pruning");
   Pruner pruner(complex, angles, progress);
   pruner.prune(min_angle, progress);
-  return pruner.result();
+  return pruner.result(progress);
 }
 
 Medial_complex_3 with_smooth_rims(Medial_complex_3 complex, int steps) {

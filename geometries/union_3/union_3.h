@@ -57,7 +57,9 @@ struct Loose_parts_3 {
   std::vector<std::array<int, 2>> edges;  ///< that no face has
   std::vector<int> vertices;              ///< that no edge has
 };
-/// O(n log n).
+/// Ascending. O(n log n) with a small constant.
+Loose_parts_3 loose_parts(const Medial_complex_3& complex, Progress& progress);
+/// The same on one thread.
 Loose_parts_3 loose_parts(const Medial_complex_3& complex);
 
 /// The singular faces of the dual complex, and of the Voronoi diagram of V(U) all cells that lie in the rest of it as a

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "geometries/parallel.h"
+#include "geometries/union_3/medial_values_3.h"
 #include "geometries/union_3/union_3.h"
 #include "geometries/union_3/vertex_voronoi_3.h"
 
@@ -311,22 +312,20 @@ Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& p
 }
 
 Loose_parts_3 loose_parts(const Medial_complex_3& complex) {
-  std::vector<std::array<int, 2>> sides;
-  sides.reserve(complex.face_vertices.size());
-  for (std::size_t f = 0; f < complex.face_count(); ++f) {
-    const auto corners = complex.face(f);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const int a = corners[i];
-      const int b = corners[(i + 1) % corners.size()];
-      sides.push_back({std::min(a, b), std::max(a, b)});
-    }
-  }
   Progress progress;
-  sort_edges(sides, complex.centers.size(), progress);
-  Loose_parts_3 parts;
-  std::ranges::set_difference(complex.edges, sides, std::back_inserter(parts.edges));
+  return loose_parts(complex, progress);
+}
+
+Loose_parts_3 loose_parts(const Medial_complex_3& complex, Progress& progress) {
+  std::vector<std::uint8_t> has_face(complex.edges.size(), 0);
+  for (const int edge : edges_of_faces(complex, progress)) has_face[edge] = 1;
   std::vector<std::uint8_t> has_edge(complex.centers.size(), 0);
-  for (const auto& edge : complex.edges) has_edge[edge[0]] = has_edge[edge[1]] = 1;
+  Loose_parts_3 parts;
+  for (std::size_t e = 0; e < has_face.size(); ++e) {
+    const auto& [a, b] = complex.edges[e];
+    if (has_face[e] == 0) parts.edges.push_back({a, b});
+    has_edge[a] = has_edge[b] = 1;
+  }
   for (std::size_t v = 0; v < has_edge.size(); ++v)
     if (has_edge[v] == 0) parts.vertices.push_back(static_cast<int>(v));
   return parts;
