@@ -104,8 +104,10 @@ void Inner_poles_3::classify(const Delaunay_3& delaunay, std::span<const int> re
 std::vector<int> Inner_poles_3::update(const Surface_samples_3& samples, const Delaunay_3& delaunay,
                                        std::span<const int> renewed, const Solid_3& solid, Progress& progress) {
   progress.begin_stage("inner poles");
-  classify(delaunay, renewed, samples.covering_radius, progress);
-  Stars stars = stars_around(delaunay, renewed);
+  Stars stars;
+  at_once(
+      progress, [&] { classify(delaunay, renewed, samples.covering_radius, progress); },
+      [&] { stars = stars_around(delaunay, renewed); });
   poles_.resize(samples.points.size(), -1);
 
   // Only the sides of those vertices are looked up that some sample has as the farthest of an unknown side.

@@ -181,7 +181,7 @@ void add_dual_layers(Registry& registry) {
 }  // namespace
 
 void warn_of_special_positions(Context& context, const Medial_complex_3& axis, const Dual_3& dual) {
-  if (has_topology_of_union(axis, dual)) return;
+  if (has_topology_of_union(axis, dual, context.progress())) return;
   context.warn(
       "The medial axis has not the topology of the union: more than three spheres meet in points within rounding. To "
       "mend that, let balls be moved a little: " +

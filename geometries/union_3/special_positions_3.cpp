@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/disjoint_sets.h"
+#include "geometries/parallel.h"
 #include "geometries/scatter.h"
 #include "geometries/union_3/union_3.h"
 
@@ -35,9 +36,17 @@ bool has_face_with_a_vertex_twice(const Medial_complex_3& axis) {
 
 }  // namespace
 
-bool has_topology_of_union(const Medial_complex_3& axis, const Dual_3& dual) {
-  const Topology expected = topology(dual);
-  return connectivity(axis) == Connectivity{expected.betti[0], expected.euler} && !has_face_with_a_vertex_twice(axis);
+bool has_topology_of_union(const Medial_complex_3& axis, const Dual_3& dual, const Progress& progress) {
+  Topology expected;
+  Connectivity found;
+  bool is_sound = false;
+  const auto look_at_axis = [&] {
+    found = connectivity(axis);
+    is_sound = !has_face_with_a_vertex_twice(axis);
+  };
+  at_once(
+      progress, [&] { expected = topology(dual); }, look_at_axis);
+  return is_sound && found == Connectivity{expected.betti[0], expected.euler};
 }
 
 std::vector<Ball_3> perturbed(std::vector<Ball_3> balls, double part) {

@@ -72,7 +72,7 @@ Medial_complex_3 union_medial_axis(const Union_vertices_3& vertices, Progress& p
 
 /// Whether the components and the Euler characteristic are those of the union, and each face is a polygon. True for
 /// balls in general position. O(n α(n)).
-bool has_topology_of_union(const Medial_complex_3& axis, const Dual_3& dual);
+bool has_topology_of_union(const Medial_complex_3& axis, const Dual_3& dual, const Progress& progress = {});
 
 /// Balls with centers moved by up to `part` of their radii in each coordinate and radii larger by about three times
 /// that, so that what touched still meets. Depends on nothing but the balls and their order.

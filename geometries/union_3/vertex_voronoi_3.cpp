@@ -55,6 +55,9 @@ void take_points(const Union_vertices_3& vertices, Vertex_voronoi_3& result, Pro
   for (std::size_t v = 0; v < first.size(); ++v)
     if (first[v] == static_cast<int>(v)) kept.push_back(v);
   sort_along_hilbert_curve(vertices.points, kept, progress);
+  result.points.reserve(kept.size());
+  result.ball_offsets.reserve(kept.size() + 1);
+  result.balls.reserve(vertices.balls.size());
   result.ball_offsets.push_back(0);
   for (const std::size_t v : kept) {
     result.points.push_back(vertices.points[v]);
@@ -137,39 +140,45 @@ void label_cells(const Dual_3& dual, Vertex_voronoi_3& result, Progress& progres
       if (!have_ball) is_open[c] |= static_cast<std::uint8_t>(1 << i);
     }
   });
-  Disjoint_sets classes(count);
-  for (std::size_t c = 0; c < count; ++c)
-    for (int i = 0; i < 4; ++i)
-      if ((is_open[c] >> i & 1) != 0) classes.join(static_cast<int>(c), result.neighbors[c][i]);
-
   // At roots: a cell of the class to ask about. Infinite ones are outside.
   constexpr int outside = -1;
   std::vector<int> class_of_cell(count);
   std::vector<int> representatives(count);
-  std::iota(representatives.begin(), representatives.end(), 0);
-  for (std::size_t c = 0; c < count; ++c) {
-    const int root = classes.find(static_cast<int>(c));
-    class_of_cell[c] = root;
-    int& best = representatives[root];
-    if (best == outside) continue;
-    if (is_infinite(c)) {
-      best = outside;
-    } else if (quality[c] > quality[best]) {
-      best = static_cast<int>(c);
+  const auto find_classes = [&] {
+    Disjoint_sets classes(count);
+    for (std::size_t c = 0; c < count; ++c) {
+      if (is_open[c] == 0) continue;
+      for (int i = 0; i < 4; ++i)
+        if ((is_open[c] >> i & 1) != 0) classes.join(static_cast<int>(c), result.neighbors[c][i]);
     }
-  }
+    std::iota(representatives.begin(), representatives.end(), 0);
+    for (std::size_t c = 0; c < count; ++c) {
+      const int root = classes.find(static_cast<int>(c));
+      class_of_cell[c] = root;
+      int& best = representatives[root];
+      if (best == outside) continue;
+      if (is_infinite(c)) {
+        best = outside;
+      } else if (quality[c] > quality[best]) {
+        best = static_cast<int>(c);
+      }
+    }
+  };
+  const auto make_room = [&] {
+    result.is_inner.assign(count, 0);
+    result.centers.assign(count, {});
+  };
+  at_once(progress, find_classes, make_room);
   std::vector<int> asked;
   for (std::size_t c = 0; c < count; ++c)
     if (class_of_cell[c] == static_cast<int>(c) && representatives[c] != outside && result.ball_of_cell[c] < 0)
       asked.push_back(static_cast<int>(c));
-  result.is_inner.assign(count, 0);
   parallel_for(asked.size(), progress, [&](std::size_t i) {
     const int cell = representatives[asked[i]];
     const int start = regular.cell_of_ball[result.balls_of(result.cells[cell][0]).front()];
     const int found = locate(regular, circumcenter(corners_of(cell)), start);
     if (found >= 0 && dual.has_cell[found] != 0) result.is_inner[asked[i]] = 1;
   });
-  result.centers.assign(count, {});
   for (std::size_t c = 0; c < count; ++c) result.is_inner[c] = result.is_inner[class_of_cell[c]];
   parallel_for(count, progress, [&](std::size_t c) {
     if (result.ball_of_cell[c] >= 0) {
