@@ -41,6 +41,8 @@ class Approximation {
   /// In all rounds together.
   static constexpr std::size_t most_balls_of_repairs = 600'000;
   static constexpr int most_rounds_of_repair = 3;
+  /// For the perturbation: no cell has such a number.
+  static constexpr std::size_t first_loose = std::size_t{1} << 40U;
   static constexpr double gap_part = 0.32;
   /// How deep the boundary of the union may lie in the solid, and how far out of it.
   static constexpr double pit_part = 0.38;
@@ -159,10 +161,10 @@ class Approximation {
     const std::vector<double> depths = distances_to_surface(solid_, loose_, progress_);
     for (std::size_t i = 0; i < loose_.size(); ++i) {
       const double radius = nearest[i] >= 0 ? distance(loose_[i], current_.samples.points[nearest[i]]) : depths[i];
-      result.balls.push_back({moved(loose_[i], perturbation_ * radius, result.balls.size()), radius});
+      result.balls.push_back({moved(loose_[i], perturbation_ * radius, first_loose + i), radius});
     }
     shrink(result.balls, cells);
-    result.regular = std::make_shared<const Regular_3>(regular_triangulation(result.balls, progress_));
+    result.regular = std::make_shared<const Regular_3>(triangulation_.triangulate(result.balls, progress_));
     result.dual = std::make_shared<const Dual_3>(dual_complex(result.regular, progress_));
     return result;
   }
@@ -345,7 +347,8 @@ class Approximation {
   Progress& progress_;
   Sampled_balls_3 current_;
   std::size_t even_count_ = 0;
-  int vain_rounds_ = 0;  ///< since the best
+  int vain_rounds_ = 0;              ///< since the best
+  Growing_regular_3 triangulation_;  ///< of the balls of the last union
   std::optional<Ball_approximation_3> best_;
   Faults faults_;                  ///< of the best
   std::vector<int> shrunk_;        ///< cells whose balls reach less far out of the solid

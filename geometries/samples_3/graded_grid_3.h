@@ -17,7 +17,12 @@ namespace mesecina {
 class Graded_grid_3 {
  public:
   /// Spacings are at most `coarsest`, and at least `coarsest` / 2^14.
-  explicit Graded_grid_3(double coarsest) : coarsest_(coarsest) {}
+  explicit Graded_grid_3(double coarsest) : coarsest_(coarsest) {
+    for (int level = 0; level < most_levels; ++level) {
+      edges_[level] = std::ldexp(coarsest, -level);
+      per_edge_[level] = std::ldexp(1 / coarsest, level);
+    }
+  }
 
   /// Points are numbered in the order in which they are added. O(1).
   void add(const Point_3& p, double spacing);
@@ -38,7 +43,7 @@ class Graded_grid_3 {
     const int levels = levels_around(center);
     for (int level = 0; level < most_levels; ++level) {
       if ((levels >> static_cast<unsigned>(level) & 1) == 0) continue;
-      const double reach = std::min(radius, 2 * edge_of(level));
+      const double reach = std::min(radius, 2 * edges_[level]);
       const Cell own = cell_of(center, level);
       if (const Block* block = find_block(block_of(own), level); block && has_any(*block, own, is_wanted)) return true;
       const Cell first = cell_of({center.x - reach, center.y - reach, center.z - reach}, level);
@@ -81,9 +86,8 @@ class Graded_grid_3 {
     std::array<int, 64> last{};  ///< per cell the point that was added last, where its bit is set
   };
 
-  double edge_of(int level) const { return std::ldexp(coarsest_, -level); }
   Cell cell_of(const Point_3& p, int level) const {
-    const double per_cell = std::ldexp(1 / coarsest_, level);
+    const double per_cell = per_edge_[level];
     return {static_cast<std::int64_t>(std::floor(p.x * per_cell)),
             static_cast<std::int64_t>(std::floor(p.y * per_cell)),
             static_cast<std::int64_t>(std::floor(p.z * per_cell))};
@@ -134,7 +138,9 @@ class Graded_grid_3 {
   Entry& find_or_add(const Name& name, int value);
 
   double coarsest_;
-  std::vector<int> slots_;  ///< into entries_; a power of two
+  std::array<double, most_levels> edges_{};     ///< of cells, per level
+  std::array<double, most_levels> per_edge_{};  ///< one by these
+  std::vector<int> slots_;                      ///< into entries_; a power of two
   std::vector<Entry> entries_;
   std::vector<Block> blocks_;
   std::vector<Point_3> points_;

@@ -10,8 +10,12 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "core/outcome.h"
@@ -68,11 +72,20 @@ std::vector<int> along_curve(const std::vector<Ball_3>& balls, const std::vector
 /// For Parallel_insertion_3.
 class Ball_triangulation : public Triangulation {
  public:
-  /// numbers: of the balls to be inserted, of different centers, along a curve.
-  Ball_triangulation(const std::vector<Ball_3>& balls, std::span<const int> numbers)
-      : balls_(balls), numbers_(numbers), vertices_(numbers.size()), place_of_ball_(balls.size(), -1) {
-    infinite_vertex()->info() = no_ball;
+  Ball_triangulation() { infinite_vertex()->info() = no_ball; }
+
+  /// numbers: of the balls to be inserted, of different centers, along a curve. new_numbers: of those before, per old
+  /// number. Both are used until the next call.
+  void expect(std::span<const Ball_3> balls, std::span<const int> numbers, std::span<const int> new_numbers) {
+    balls_ = balls;
+    numbers_ = numbers;
+    vertices_.assign(numbers.size(), {});
+    place_of_ball_.assign(balls.size(), -1);
     for (std::size_t i = 0; i < numbers.size(); ++i) place_of_ball_[numbers[i]] = static_cast<int>(i);
+    for (const Vertex_handle vertex : finite_vertex_handles()) {
+      vertex->info() = new_numbers[vertex->info()];
+      vertices_[place_of_ball_[vertex->info()]] = vertex;
+    }
   }
 
   std::span<const int> place_of_ball() const { return place_of_ball_; }
@@ -133,7 +146,7 @@ class Ball_triangulation : public Triangulation {
     boost::container::small_vector<Vertex_handle, 64> vertices_;
   };
 
-  const std::vector<Ball_3>& balls_;
+  std::span<const Ball_3> balls_;
   std::span<const int> numbers_;
   std::vector<Vertex_handle> vertices_;
   std::vector<int> place_of_ball_;
@@ -159,28 +172,91 @@ void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& b
   }
 }
 
+/// Per old ball its number among the new ones, if all are there in the same order.
+std::optional<std::vector<int>> numbers_among(const std::vector<Ball_3>& old_balls, const std::vector<Ball_3>& balls) {
+  std::vector<int> numbers;
+  numbers.reserve(old_balls.size());
+  for (std::size_t i = 0; i < balls.size() && numbers.size() < old_balls.size(); ++i)
+    if (balls[i] == old_balls[numbers.size()]) numbers.push_back(static_cast<int>(i));
+  if (numbers.size() < old_balls.size()) return std::nullopt;
+  return numbers;
+}
+
 }  // namespace
 
-Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
-  if (balls.empty()) throw Unavailable("there are no balls");
-  progress.begin_stage("regular triangulation");
-  const std::vector<int> kept = along_curve(balls, first_of_each_center(balls, progress), progress);
-  std::vector<Point_3> centers;
-  centers.reserve(kept.size());
-  for (const int i : kept) centers.push_back(balls[i].center);
-  Ball_triangulation triangulation(balls, kept);
-  Parallel_insertion_3(triangulation, centers, progress).insert(insertion_order_along_curve(kept.size()));
-  progress.check();
-  if (triangulation.dimension() < 3) add_surroundings(triangulation, balls);
+class Growing_regular_3::Implementation {
+ public:
+  Regular_3 triangulate(std::vector<Ball_3> balls, Progress& progress) {
+    if (balls.empty()) throw Unavailable("there are no balls");
+    progress.begin_stage("regular triangulation");
+    const std::vector<int> kept = along_curve(balls, first_of_each_center(balls, progress), progress);
+    std::vector<Point_3> centers;
+    centers.reserve(kept.size());
+    for (const int i : kept) centers.push_back(balls[i].center);
 
-  Regular_3 result;
-  result.cell_of_ball.assign(balls.size(), -1);
-  write_cells(triangulation, triangulation.place_of_ball(), result.cells, result.neighbors, progress);
-  result.balls = std::move(balls);
-  for (std::size_t c = 0; c < result.cells.size(); ++c)
-    for (const int ball : result.cells[c])
-      if (ball >= 0) result.cell_of_ball[ball] = static_cast<int>(c);
-  return result;
+    auto before = std::exchange(before_, {});
+    std::vector<std::uint8_t> is_in(balls.size(), 0);
+    const std::optional<std::vector<int>> numbers = numbers_of(before, balls, kept, is_in);
+    if (!numbers) triangulation_ = std::make_unique<Ball_triangulation>();
+    triangulation_->expect(balls, kept, numbers ? std::span(*numbers) : std::span<const int>());
+    std::vector<int> order;
+    if (numbers) {
+      for (std::size_t place = 0; place < kept.size(); ++place)
+        if (is_in[kept[place]] == 0) order.push_back(static_cast<int>(place));
+    } else {
+      order = insertion_order_along_curve(kept.size());
+    }
+    Parallel_insertion_3(*triangulation_, centers, progress).insert(order);
+    progress.check();
+    const bool is_flat = triangulation_->dimension() < 3;
+    if (is_flat) add_surroundings(*triangulation_, balls);
+
+    Regular_3 result;
+    result.cell_of_ball.assign(balls.size(), -1);
+    write_cells(*triangulation_, triangulation_->place_of_ball(), result.cells, result.neighbors, progress);
+    if (!is_flat) before_ = {balls, kept};
+    result.balls = std::move(balls);
+    for (std::size_t c = 0; c < result.cells.size(); ++c)
+      for (const int ball : result.cells[c])
+        if (ball >= 0) result.cell_of_ball[ball] = static_cast<int>(c);
+    return result;
+  }
+
+ private:
+  struct Set {
+    std::vector<Ball_3> balls;
+    std::vector<int> kept;  ///< of different centers
+  };
+
+  /// The new numbers of the balls of before, if these are in the triangulation and can stay there; marks them.
+  static std::optional<std::vector<int>> numbers_of(const Set& before, const std::vector<Ball_3>& balls,
+                                                    const std::vector<int>& kept, std::vector<std::uint8_t>& is_in) {
+    // From the start all threads take part.
+    constexpr std::size_t most_times = 2;
+    if (before.balls.empty() || balls.size() > most_times * before.balls.size()) return std::nullopt;
+    auto numbers = numbers_among(before.balls, balls);
+    if (!numbers) return std::nullopt;
+    for (const int old : before.kept) is_in[(*numbers)[old]] = 1;
+    const auto still_kept = std::ranges::count_if(kept, [&](int ball) { return is_in[ball] != 0; });
+    if (still_kept < std::ssize(before.kept)) return std::nullopt;
+    return numbers;
+  }
+
+  std::unique_ptr<Ball_triangulation> triangulation_;
+  Set before_;
+};
+
+Growing_regular_3::Growing_regular_3() : implementation_(std::make_unique<Implementation>()) {}
+Growing_regular_3::Growing_regular_3(Growing_regular_3&&) noexcept = default;
+Growing_regular_3& Growing_regular_3::operator=(Growing_regular_3&&) noexcept = default;
+Growing_regular_3::~Growing_regular_3() = default;
+
+Regular_3 Growing_regular_3::triangulate(std::vector<Ball_3> balls, Progress& progress) {
+  return implementation_->triangulate(std::move(balls), progress);
+}
+
+Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress) {
+  return Growing_regular_3().triangulate(std::move(balls), progress);
 }
 
 int locate(const Regular_3& regular, const Point_3& point, int start) {

@@ -32,6 +32,24 @@ struct Regular_3 {
 /// the balls only. O(n log n) for balls along a surface. Throws Unavailable when there are no balls.
 Regular_3 regular_triangulation(std::vector<Ball_3> balls, Progress& progress);
 
+/// The same for sets of balls that become larger: where all balls of the last set are in the next one, in the same
+/// order, only the others are inserted, each in O(log n), and cells are written in O(n). What comes out does not depend
+/// on that.
+class Growing_regular_3 {
+ public:
+  Growing_regular_3();
+  Growing_regular_3(Growing_regular_3&&) noexcept;
+  Growing_regular_3& operator=(Growing_regular_3&&) noexcept;
+  ~Growing_regular_3();
+
+  /// As regular_triangulation. After an exception only destruction and the next call are of use.
+  Regular_3 triangulate(std::vector<Ball_3> balls, Progress& progress);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
 /// The finite cell that holds the point (one of them, on a boundary), found by walking from `start`; -1 outside of the
 /// convex hull. Safe to call from several threads. Exact.
 int locate(const Regular_3& regular, const Point_3& point, int start);

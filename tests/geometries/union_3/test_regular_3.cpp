@@ -89,6 +89,67 @@ testing::AssertionResult is_regular_triangulation(const std::vector<Ball_3>& bal
 
 TEST(Regular_3, is_what_the_header_promises) { expect_of_balls(repetitions(100), is_regular_triangulation); }
 
+testing::AssertionResult is_same(const Regular_3& a, const Regular_3& b) {
+  if (a.balls != b.balls) return failure() << "other balls";
+  if (a.cell_of_ball != b.cell_of_ball) return failure() << "other cells of balls";
+  if (a.cells != b.cells || a.neighbors != b.neighbors) return failure() << "other cells";
+  return testing::AssertionSuccess();
+}
+
+/// Of sets that become larger, or other ones, as if each were triangulated alone.
+testing::AssertionResult grows(const std::vector<Ball_3>& balls, int threads) {
+  Progress progress({}, {}, threads);
+  Growing_regular_3 growing;
+  Random random(balls.size());
+  const auto part = [&](int all, int wanted) {
+    std::vector<Ball_3> some;
+    for (const Ball_3& ball : balls)
+      if (random.index(all) < wanted) some.push_back(ball);
+    if (some.empty()) some.push_back(balls.front());
+    return some;
+  };
+  // Parts of each other, which is seldom so by chance, and then others.
+  std::vector<std::vector<Ball_3>> sets{part(3, 2)};
+  for (const std::size_t left : {balls.size() / 8, std::size_t{0}}) {
+    std::vector<Ball_3> larger;
+    std::size_t at = 0;
+    std::size_t missing = balls.size() - sets.back().size();
+    for (const Ball_3& ball : balls) {
+      const bool is_there = at < sets.back().size() && sets.back()[at] == ball;
+      if (is_there) ++at;
+      if (!is_there && missing-- <= left) continue;
+      larger.push_back(ball);
+    }
+    sets.push_back(std::move(larger));
+  }
+  sets.push_back(sets.back());
+  sets.push_back(part(2, 1));
+  sets.push_back(balls);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    if (const auto result = is_same(growing.triangulate(sets[i], progress), regular_triangulation(sets[i], progress));
+        !result)
+      return failure() << "set " << i << " of " << sets[i].size() << " balls: " << result.message();
+  return testing::AssertionSuccess();
+}
+
+TEST(Growing_regular_3, is_the_triangulation_of_each_set) {
+  expect_of_balls(repetitions(60), [](const std::vector<Ball_3>& balls) { return grows(balls, 1); });
+  for (const int threads : {1, 2}) EXPECT_TRUE(grows(many_balls(20'000, 6, 9), threads));
+}
+
+TEST(Growing_regular_3, goes_on_after_it_was_cancelled) {
+  const std::vector<Ball_3> balls = many_balls(3000, 6, 2);
+  const std::vector<Ball_3> first(balls.begin(), balls.begin() + 2500);
+  Growing_regular_3 growing;
+  Progress progress;
+  growing.triangulate(first, progress);
+  std::stop_source stop;
+  Progress cancelled(stop.get_token(), {}, 1);
+  stop.request_stop();
+  EXPECT_THROW(growing.triangulate(balls, cancelled), Cancelled);
+  EXPECT_TRUE(is_same(growing.triangulate(balls, progress), regular_triangulation(balls, progress)));
+}
+
 /// In a cell the weights are convex; outside there is none.
 testing::AssertionResult locates(const std::vector<Ball_3>& balls) {
   Progress progress;
