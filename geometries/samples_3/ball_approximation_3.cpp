@@ -41,8 +41,7 @@ class Approximation {
   /// In all rounds together.
   static constexpr std::size_t most_balls_of_repairs = 600'000;
   static constexpr int most_rounds_of_repair = 3;
-  /// For the perturbation: no cell has such a number.
-  static constexpr std::size_t first_loose = std::size_t{1} << 40U;
+  static constexpr int no_number = -1;
   static constexpr double gap_part = 0.32;
   /// How deep the boundary of the union may lie in the solid, and how far out of it.
   static constexpr double pit_part = 0.38;
@@ -125,6 +124,7 @@ class Approximation {
     };
     at_once(progress_, compare_surfaces, [&] { faults.betti = difference_to_solid(*next.dual); });
     faults.places = places_.size() + crowded_.size();
+    has_wrong_topology_ = faults.betti != 0;
     if (faults.betti != 0) find_defects(next, cells);
     if (!best_ || faults < faults_) {
       faults_ = faults;
@@ -156,17 +156,33 @@ class Approximation {
 
   Ball_approximation_3 union_of(const std::vector<int>& cells) {
     Ball_approximation_3 result;
-    result.balls = balls_of_cells(current_.delaunay(), cells, perturbation_);
+    // Balls of before stay where they are. But where balls nearly touch, the perturbation decides what hangs together.
+    if (has_wrong_topology_) perturb_anew();
+    const Delaunay_3& delaunay = current_.delaunay();
+    numbers_.resize(delaunay.cells.size(), no_number);
+    const auto add = [&](const Point_3& center, double radius, int& number) {
+      if (number == no_number) number = next_number_++;
+      result.balls.push_back({moved(center, perturbation_ * radius, static_cast<std::size_t>(number)), radius});
+    };
+    result.balls.reserve(cells.size() + loose_.size());
+    for (const int c : cells) add(delaunay.circumcenters[c], delaunay.circumradii[c], numbers_[c]);
     const std::vector<int> nearest = nearest_samples(loose_);
     const std::vector<double> depths = distances_to_surface(solid_, loose_, progress_);
+    loose_numbers_.resize(loose_.size(), no_number);
     for (std::size_t i = 0; i < loose_.size(); ++i) {
       const double radius = nearest[i] >= 0 ? distance(loose_[i], current_.samples.points[nearest[i]]) : depths[i];
-      result.balls.push_back({moved(loose_[i], perturbation_ * radius, first_loose + i), radius});
+      add(loose_[i], radius, loose_numbers_[i]);
     }
     shrink(result.balls, cells);
     result.regular = std::make_shared<const Regular_3>(triangulation_.triangulate(result.balls, progress_));
     result.dual = std::make_shared<const Dual_3>(dual_complex(result.regular, progress_));
     return result;
+  }
+
+  void perturb_anew() {
+    numbers_.clear();
+    loose_numbers_.clear();
+    next_number_ = 0;
   }
 
   /// Small balls that reach far out of the solid; large ones do not, as they would hold samples.
@@ -357,7 +373,12 @@ class Approximation {
   std::vector<int> fillings_;      ///< cells whose balls join those of poles
   std::vector<Point_3> places_;    ///< that the union should hold
   std::vector<Point_3> loose_;     ///< centers of balls between samples, which join those of poles
-  std::vector<int> crowded_;       ///< samples around which there should be more
+  // By which the balls of cells and those between samples are moved.
+  std::vector<int> numbers_;
+  std::vector<int> loose_numbers_;
+  int next_number_ = 0;
+  bool has_wrong_topology_ = false;  ///< the last union
+  std::vector<int> crowded_;         ///< samples around which there should be more
 };
 
 }  // namespace

@@ -167,7 +167,7 @@ std::vector<Ball_3> balls_of_cells(const Delaunay_3& delaunay, std::vector<int> 
   for (const int c : cells) {
     if (c < 0) continue;
     const double r = delaunay.circumradii[c];
-    balls.push_back({moved(delaunay.circumcenters[c], perturbation * r, static_cast<std::size_t>(c)), r});
+    balls.push_back({moved(delaunay.circumcenters[c], perturbation * r, balls.size()), r});
   }
   return balls;
 }

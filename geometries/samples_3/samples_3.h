@@ -51,8 +51,8 @@ std::vector<int> inner_pole_cells(const Surface_samples_3& samples, const Delaun
                                   Progress& progress);
 
 /// The balls of these cells, each once, in the order of the cells. Centers are moved by up to `perturbation` times the
-/// radius in each coordinate, by a rule that depends on the number of the cell only, and radii stay: many of these
-/// balls go through one sample, which is degenerate. Negative cells are left out.
+/// radius in each coordinate, by a rule that depends on nothing but their order, and radii stay: many of these balls go
+/// through one sample, which is degenerate. Negative cells are left out.
 std::vector<Ball_3> balls_of_cells(const Delaunay_3& delaunay, std::vector<int> cells, double perturbation);
 
 /// The point, moved by up to `reach` in each coordinate, by a rule that depends on the number only.
