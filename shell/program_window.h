@@ -256,6 +256,8 @@ class Program_window : public QMainWindow {
   void set_background(Canvas_background background);
   /// For now: the user's usual one stays what it is.
   void show_background(Canvas_background background);
+  /// That which the user chose last, in this program or before.
+  Canvas_background usual_background() const;
   bool may_close();
   bool is_settled() const;
   bool settle();

@@ -104,15 +104,20 @@ void Program_window::set_background(Canvas_background background) {
       Preferences(program_).set_value(QStringLiteral("background"), QLatin1String(choice.id));
 }
 
+Canvas_background Program_window::usual_background() const {
+  const QString chosen =
+      Preferences(program_).value(QStringLiteral("background"), QStringLiteral("background-paper")).toString();
+  for (const Background_choice& choice : background_choices)
+    if (chosen == QLatin1String(choice.id)) return choice.background;
+  return Canvas_background::paper;
+}
+
 void Program_window::restore_looks() {
   const Preferences preferences(program_);
   const QString theme = preferences.value(QStringLiteral("theme"), QStringLiteral("theme-light")).toString();
-  const QString background =
-      preferences.value(QStringLiteral("background"), QStringLiteral("background-paper")).toString();
   for (const Theme_choice& choice : theme_choices)
     if (theme == QLatin1String(choice.id)) set_theme(choice.theme);
-  for (const Background_choice& choice : background_choices)
-    if (background == QLatin1String(choice.id)) show_background(choice.background);
+  show_background(usual_background());
 }
 
 }  // namespace mesecina

@@ -105,7 +105,7 @@ void Program_window::touch_scene() {
 void Program_window::show_session(const Session& session) {
   unknown_ = session.unknown;
   show_view(session);
-  if (session.background) show_background(*session.background);
+  show_background(session.background.value_or(usual_background()));
   if (session.film && recording_) recording_->show(*session.film);
   touch_scene();
 }

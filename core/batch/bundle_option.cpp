@@ -96,7 +96,7 @@ void take_bundle(Command_line& command_line, const Bundle& bundle, const Registr
   command_line.as_listed = true;
   command_line.view = bundle.view;
   command_line.view_3 = bundle.view_3;
-  command_line.background = bundle.background;
+  if (bundle.background) command_line.background = bundle.background;
   command_line.bundle_needs = bundle.needs;
   for (const std::string& note : bundle.unknown.notes)
     command_line.warnings.push_back("bundle '" + bundle.name + "': " + note);

@@ -348,9 +348,10 @@ std::variant<Command_line, Early_exit> parse_command_line(int argc, const char* 
   Recording_words recording;
   std::string session;
   app.add_option("FILE", files, "Points, outlines or pictures to read (--list formats)");
-  app.add_option("--session", session,
-                 "A session, or a picture with one within: its data where no FILE is given, its layers, styles, "
-                 "settings and view and, with --record, what it records; other options come after it and win");
+  app.add_option(
+      "--session", session,
+      "A session, or a picture with one within: its data where no FILE is given, its layers, styles, "
+      "settings, view and background and, with --record, what it records; other options come after it and win");
   app.add_flag("--nogui", result.nogui, "Compute and write, open no window; needs no display");
   app.add_option("--layers", result.layers, "Layers to compute: ID,ID,... (--list layers)")
       ->delimiter(',')

@@ -29,9 +29,10 @@ struct Ball_approximation_3 {
 /// that bridge a gap of the solid become smaller, and samples are added. Returned is the union whose Betti numbers are
 /// nearest to those of the solid, of these the one with the fewest faults.
 ///
-/// Centers are moved by up to `perturbation` times the radius, by a rule that depends on nothing but their order and rounds. O(n log n) for n samples.
-/// Throws Unavailable when there is no ball, or the samples are too many. [N. Amenta, S. Choi, R. Kolluri: The power
-/// crust, unions of balls, and the medial axis transform, 2001; B. Miklos: The Scale Axis Transform, 2010, 6.1.1]
+/// Centers are moved by up to `perturbation` times the radius, by a rule that depends on nothing but their order and
+/// the rounds. O(n log n) for n samples. Throws Unavailable when there is no ball, or the samples are too many. [N.
+/// Amenta, S. Choi, R. Kolluri: The power crust, unions of balls, and the medial axis transform, 2001; B. Miklos: The
+/// Scale Axis Transform, 2010, 6.1.1]
 Ball_approximation_3 approximate_by_balls(const Solid_3& solid, double distance, double perturbation,
                                           Progress& progress);
 

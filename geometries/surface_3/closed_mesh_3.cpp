@@ -119,8 +119,6 @@ class Edge_collapser {
     return count;
   }
 
-  bool is_removed(std::size_t triangle) const { return mesh_.triangles[triangle][0] < 0; }
-
  private:
   bool collapse(int from, int to) {
     if (triangles_[from].empty() || triangles_[to].empty()) return false;
@@ -153,6 +151,13 @@ class Edge_collapser {
     return cross(mesh_.vertices[triangle[1]] - a, mesh_.vertices[triangle[2]] - a);
   }
 
+  bool is_small(const std::array<int, 3>& triangle) const {
+    for (int i = 0; i < 3; ++i)
+      if (squared_distance(mesh_.vertices[triangle[i]], mesh_.vertices[triangle[(i + 1) % 3]]) >= limit_ * limit_)
+        return false;
+    return true;
+  }
+
   /// `gone` becomes `kept`; false when a triangle would turn over.
   bool merge(int gone, int kept, double length) {
     if (drift_[gone] + length > limit_) return false;
@@ -165,7 +170,7 @@ class Edge_collapser {
       // Triangles with all sides shorter than the limit may lie as they like.
       constexpr double most_turn = 0.5;
       if (dot(before, after) <= most_turn * std::sqrt(dot(before, before) * dot(after, after)) &&
-          std::sqrt(dot(before, before)) > limit_ * limit_ / 2)
+          !(is_small(mesh_.triangles[t]) && is_small(triangle)))
         return false;
     }
     drift_[kept] = std::max(drift_[kept], drift_[gone] + length);

@@ -16,8 +16,9 @@ void split_double_edges(Triangle_mesh_3& mesh, std::vector<int>& piece_of_triang
                         const std::function<Point_3(int piece, const Point_3& middle)>& place);
 
 /// Contracts edges of a closed manifold mesh that are shorter than `limit` to one of their ends, where the topology
-/// stays and no triangle turns over. No vertex comes to stand for one farther away than `limit`. Vertices that are not
-/// used any more are removed, and `piece_of_triangle` follows. O(n log n).
+/// stays and no triangle turns over, but for those with all sides shorter than that. No vertex comes to stand for one
+/// farther away than `limit`. Vertices that are not used any more are removed, and `piece_of_triangle` follows. O(n log
+/// n).
 void collapse_short_edges(Triangle_mesh_3& mesh, std::vector<int>& piece_of_triangle, double limit, Progress& progress);
 
 }  // namespace mesecina

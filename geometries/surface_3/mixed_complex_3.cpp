@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "geometries/parallel.h"
@@ -173,18 +174,6 @@ void Mixed_complex_3::measure(Progress& progress) {
   });
 }
 
-std::weak_ordering Mixed_complex_3::compare_powers(int simplex, int other) const {
-  if (simplex == other) return std::weak_ordering::equivalent;
-  if (powers_[simplex].upper < powers_[other].lower) return std::weak_ordering::less;
-  if (powers_[simplex].lower > powers_[other].upper) return std::weak_ordering::greater;
-  const auto exact = [&](int s) {
-    return with_points<Rational>(balls_of(s), regular_.balls, weights_, squared_radius);
-  };
-  const CGAL::Comparison_result order = CGAL::compare(exact(simplex), exact(other));
-  if (order == CGAL::EQUAL) return std::weak_ordering::equivalent;
-  return order == CGAL::SMALLER ? std::weak_ordering::less : std::weak_ordering::greater;
-}
-
 void Mixed_complex_3::find_anchors(Progress& progress) {
   const Orthogonal_spheres_3 spheres(regular_.balls);
   // Per simplex and place: the center is not on the side of the ball there of the face across from it.
@@ -219,12 +208,29 @@ void Mixed_complex_3::find_anchors(Progress& progress) {
       for (int i = 0; i < 2; ++i) use(edges_[s - edge][1 - i], i);
     }
   };
+  // Of balls in a grid the same ones are asked for again and again.
+  std::unordered_map<int, Rational> exact_powers;
+  const auto exact_power = [&](int s) -> const Rational& {
+    const auto [it, is_new] = exact_powers.try_emplace(s);
+    if (is_new) it->second = with_points<Rational>(balls_of(s), regular_.balls, weights_, squared_radius);
+    return it->second;
+  };
+  const auto compare_powers = [&](int s, int t) {
+    if (s == t) return std::weak_ordering::equivalent;
+    if (powers_[s].upper < powers_[t].lower) return std::weak_ordering::less;
+    if (powers_[s].lower > powers_[t].upper) return std::weak_ordering::greater;
+    const CGAL::Comparison_result order = CGAL::compare(exact_power(s), exact_power(t));
+    if (order == CGAL::EQUAL) return std::weak_ordering::equivalent;
+    return order == CGAL::SMALLER ? std::weak_ordering::less : std::weak_ordering::greater;
+  };
   const auto is_finite = [&](int s) { return s < cell || !regular_.is_infinite(s - cell); };
 
+  constexpr int often = 1024;
   anchors_.resize(powers_.size());
   for (int s = 0; s < simplex_count(); ++s) {
     anchors_[s] = s;
     if (s < edge || beyond[s] == 0 || !is_finite(s)) continue;
+    if (s % often == 0) progress.check();
     int best = -1;
     for_faces(s, [&](int face, int) {
       if (best < 0 || compare_powers(anchors_[face], best) > 0) best = anchors_[face];
@@ -236,6 +242,7 @@ void Mixed_complex_3::find_anchors(Progress& progress) {
   dual_anchors_.assign(powers_.size(), -1);
   std::vector<std::uint8_t> is_outside(powers_.size(), 0);
   for (int s = simplex_count() - 1; s >= 0; --s) {
+    if (s % often == 0) progress.check();
     if (!is_finite(s)) continue;
     if (dual_anchors_[s] < 0 || is_outside[s] == 0) dual_anchors_[s] = s;
     if (s < edge) continue;

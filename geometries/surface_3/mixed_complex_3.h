@@ -43,7 +43,7 @@ class Mixed_complex_3 {
   }
   /// Of the skin surface. Exact; not on the surface itself.
   bool is_inside(const Corner& corner) const;
-  /// To rounding; slow where cells are nearly flat.
+  /// To about nine digits, mostly more; slow where cells are nearly flat.
   Place place(const Corner& corner) const;
   /// Shrink factor * dual_power - (1 - shrink factor) * weight: negative inside of the surface. The same to rounding.
   double value(const Place& place) const;
@@ -64,7 +64,6 @@ class Mixed_complex_3 {
   void number_triangles();
   void measure(Progress& progress);
   void find_anchors(Progress& progress);
-  std::weak_ordering compare_powers(int simplex, int other) const;
 
   const Regular_3& regular_;
   double shrink_factor_;

@@ -130,8 +130,11 @@ void register_surface_3(Registry& registry) {
       "Edelsbrunner: Deformable smooth surface design, 1999]",
       {200, 150, 150}, [](Context& context) {
         const auto balls = context.get(balls_3_key);
-        const double tolerance = context.setting(tolerance_setting) * diagonal_of(*balls);
-        Triangle_mesh_3 mesh = skin_surface(*balls, context.setting(shrink_setting), tolerance, context.progress());
+        std::vector<Ball_3> with_radius = *balls;
+        std::erase_if(with_radius, [](const Ball_3& ball) { return !(ball.radius > 0); });
+        const double tolerance = context.setting(tolerance_setting) * diagonal_of(with_radius);
+        Triangle_mesh_3 mesh =
+            skin_surface(with_radius, context.setting(shrink_setting), tolerance, context.progress());
         Primitive_set set = primitives_in_space();
         set.vertices = std::move(mesh.vertices);
         set.triangles = std::move(mesh.triangles);

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "core/outcome.h"
-#include "core/primitives.h"
 #include "geometries/parallel.h"
 #include "geometries/surface_3/closed_mesh_3.h"
 #include "geometries/surface_3/mixed_complex_3.h"
@@ -94,7 +93,7 @@ class Skin_mesher {
 
  private:
   /// Edges are divided at most so often, each into halves.
-  static constexpr int most_rounds = 8;
+  static constexpr int most_rounds = 12;
   /// Of the corners of a cut: weights of those inside, which add up to `one`, and of the others, which do so, too. Each
   /// segment from a mixture of corners inside to one of those outside meets the surface once, mostly.
   using Mixture = std::array<std::uint16_t, 4>;
@@ -104,6 +103,21 @@ class Skin_mesher {
     int cut = 0;
     std::array<Mixture, 3> mixtures{};
   };
+
+  /// For loops that are as long as i gets large.
+  void check_often(std::size_t i) const {
+    constexpr std::size_t often = 16384;
+    if (i % often == 0) progress_.check();
+  }
+  template <class Element>
+  void sort(std::vector<Element>& elements) const {
+    parallel_region(progress_, [&] {
+      tbb::parallel_sort(elements.begin(), elements.end(), [&](const Element& a, const Element& b) {
+        progress_.check();
+        return a < b;
+      });
+    });
+  }
 
   void cut() {
     constexpr std::size_t block = 512;
@@ -124,8 +138,10 @@ class Skin_mesher {
       part = {};
     }
     corners_ = corners;
-    parallel_region(progress_, [&] { tbb::parallel_sort(corners_.begin(), corners_.end()); });
+    sort(corners_);
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    corners_.shrink_to_fit();
+    progress_.check();
     parallel_for(cuts_.size(), progress_, [&](std::size_t i) {
       for (int k = 0; k < 4; ++k)
         cuts_[i].corners[k] =
@@ -186,14 +202,17 @@ class Skin_mesher {
       int place;
       auto operator<=>(const Use&) const = default;
     };
+    corners_ = {};
     std::vector<Use> uses;
+    uses.reserve(4 * cuts_.size());
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      check_often(i);
       int place = 0;
       for (int a = 0; a < cuts_[i].inside; ++a)
         for (int b = cuts_[i].inside; b < 4; ++b)
           uses.push_back({{cuts_[i].corners[a], cuts_[i].corners[b]}, static_cast<int>(i), place++});
     }
-    parallel_region(progress_, [&] { tbb::parallel_sort(uses.begin(), uses.end()); });
+    sort(uses);
     std::vector<const Use*> first;
     for (const Use& use : uses) {
       if (first.empty() || first.back()->corners != use.corners) first.push_back(&use);
@@ -235,7 +254,9 @@ class Skin_mesher {
   }
 
   void make_triangles() {
+    triangles_.reserve(3 * cuts_.size() / 2);
     for (std::size_t c = 0; c < cuts_.size(); ++c) {
+      check_often(c);
       const Cut& cut = cuts_[c];
       const auto add = [&](int i, int j, int k) {
         if (!cut.is_positive) std::swap(j, k);
@@ -309,7 +330,7 @@ class Skin_mesher {
         for (int k = 0; k < 3; ++k)
           if ((is_wanted[i] >> static_cast<unsigned>(k) & 1U) != 0)
             middles.push_back({edge_of(fresh[i], k), static_cast<int>(i), k});
-      parallel_region(progress_, [&] { tbb::parallel_sort(middles.begin(), middles.end()); });
+      sort(middles);
       middles.erase(
           std::unique(middles.begin(), middles.end(), [](const auto& a, const auto& b) { return a.edge == b.edge; }),
           middles.end());
@@ -320,7 +341,13 @@ class Skin_mesher {
         vertices_[before + m] = *on_surface(cuts_[triangle.cut], middle_of(triangle, middles[m].place));
       });
       std::vector<Triangle> next;
-      for (const Triangle& triangle : fresh) {
+      for (std::size_t i = 0; i < fresh.size(); ++i) {
+        check_often(i);
+        const Triangle& triangle = fresh[i];
+        if (middles.empty()) {
+          triangles_.push_back(triangle);
+          continue;
+        }
         std::array<int, 3> divided{};
         for (int k = 0; k < 3; ++k) {
           const auto edge = edge_of(triangle, k);
@@ -408,24 +435,51 @@ class Skin_mesher {
   std::vector<Triangle> triangles_;
 };
 
+/// Balls with a radius, around the origin and of a size of about 1, so that nothing overflows.
+struct Moved_balls {
+  std::vector<Ball_3> balls;
+  Point_3 middle;    ///< where the origin was
+  int exponent = 0;  ///< of two, by which lengths were multiplied
+};
+
+Moved_balls moved_to_origin(const std::vector<Ball_3>& balls) {
+  Moved_balls moved;
+  Box box;
+  double size = 0;
+  for (const Ball_3& ball : balls) {
+    if (!(ball.radius > 0)) continue;
+    moved.balls.push_back(ball);
+    box.add(ball.center);
+    size = std::max(size, ball.radius);
+  }
+  if (moved.balls.empty()) throw Unavailable("there are no balls with a radius");
+  const auto between = [](double low, double high) { return low / 2 + high / 2; };
+  moved.middle = {between(box.lower.x, box.upper.x), between(box.lower.y, box.upper.y),
+                  between(box.lower.z, box.upper.z)};
+  for (const double half : {box.upper.x - moved.middle.x, box.upper.y - moved.middle.y, box.upper.z - moved.middle.z})
+    size = std::max(size, half);
+  moved.exponent = -std::ilogb(size);
+  for (auto& [center, radius] : moved.balls) {
+    const auto scaled = [&](double x, double origin) { return std::ldexp(x - origin, moved.exponent); };
+    center = {scaled(center.x, moved.middle.x), scaled(center.y, moved.middle.y), scaled(center.z, moved.middle.z)};
+    radius = std::ldexp(radius, moved.exponent);
+  }
+  // Smaller ones have no square.
+  constexpr double least = 1e-150;
+  std::erase_if(moved.balls, [](const Ball_3& ball) { return ball.radius < least; });
+  return moved;
+}
+
 /// Balls of which the shrunk ones are those given, and around them points so far away that all other power cells are
-/// bounded and no patch of the surface reaches theirs.
+/// bounded and no patch of the surface reaches theirs. `balls`: as those moved to the origin.
 std::vector<Ball_3> surrounded(const std::vector<Ball_3>& balls, double shrink_factor) {
   std::vector<Ball_3> grown;
-  Box box;
-  double largest = 0;
-  for (const auto& [center, radius] : balls) {
-    if (!(radius > 0)) continue;
-    grown.push_back({center, radius / std::sqrt(shrink_factor)});
-    box.add(center);
-    largest = std::max(largest, grown.back().radius);
-  }
-  if (grown.empty()) throw Unavailable("there are no balls with a radius");
-  constexpr double far = 64;
-  const double size = far / shrink_factor * (box.diagonal() + largest);
-  const Point_3 middle = midpoint(box.lower, box.upper);
+  grown.reserve(balls.size() + 4);
+  for (const auto& [center, radius] : balls) grown.push_back({center, radius / std::sqrt(shrink_factor)});
+  constexpr double far = 256;
+  const double size = far / shrink_factor;
   for (const Point_3& d : {Point_3{1, 1, 1}, Point_3{1, -1, -1}, Point_3{-1, 1, -1}, Point_3{-1, -1, 1}})
-    grown.push_back({middle + size * d, 0});
+    grown.push_back({size * d, 0});
   return grown;
 }
 
@@ -433,15 +487,20 @@ std::vector<Ball_3> surrounded(const std::vector<Ball_3>& balls, double shrink_f
 
 Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_factor, double tolerance,
                              Progress& progress) {
+  const Moved_balls moved = moved_to_origin(balls);
+  const double scaled_tolerance = std::ldexp(tolerance, moved.exponent);
   const auto triangulated = [&] {
-    const Regular_3 regular = regular_triangulation(surrounded(balls, shrink_factor), progress);
-    return Skin_mesher(regular, shrink_factor, tolerance, progress).mesh();
+    const Regular_3 regular = regular_triangulation(surrounded(moved.balls, shrink_factor), progress);
+    return Skin_mesher(regular, shrink_factor, scaled_tolerance, progress).mesh();
   };
   Triangle_mesh_3 mesh = triangulated();
   // What is cut out of thin cells is thin.
   constexpr double short_part = 0.25;
   std::vector<int> pieces(mesh.triangles.size(), 0);
-  collapse_short_edges(mesh, pieces, short_part * tolerance, progress);
+  collapse_short_edges(mesh, pieces, short_part * scaled_tolerance, progress);
+  const auto placed = [&](double x, double origin) { return origin + std::ldexp(x, -moved.exponent); };
+  for (Point_3& p : mesh.vertices)
+    p = {placed(p.x, moved.middle.x), placed(p.y, moved.middle.y), placed(p.z, moved.middle.z)};
   return mesh;
 }
 

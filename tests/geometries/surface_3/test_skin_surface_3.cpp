@@ -8,6 +8,8 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <stop_token>
+#include <string_view>
 
 #include "core/outcome.h"
 #include "geometries/union_3/union_3.h"
@@ -157,13 +159,17 @@ TEST(Skin_surface_3, LiesWhereTheDefinitionSays) {
   }
 }
 
-/// By the slope of the skin function.
-double distance_to_skin(const std::vector<Ball_3>& balls, double shrink_factor, const Point_3& at) {
+/// Gradient of the skin function: inward.
+Point_3 slope_at(const std::vector<Ball_3>& balls, double shrink_factor, const Point_3& at) {
   const double step = 1e-5 * size_of(balls);
   const auto value = [&](const Point_3& p) { return skin_function(balls, shrink_factor, p); };
   const auto slope = [&](const Point_3& way) { return (value(at + way) - value(at - way)) / (2 * step); };
-  const Point_3 gradient{slope({step, 0, 0}), slope({0, step, 0}), slope({0, 0, step})};
-  return std::abs(value(at)) / std::sqrt(dot(gradient, gradient));
+  return {slope({step, 0, 0}), slope({0, step, 0}), slope({0, 0, step})};
+}
+
+double distance_to_skin(const std::vector<Ball_3>& balls, double shrink_factor, const Point_3& at) {
+  const Point_3 slope = slope_at(balls, shrink_factor, at);
+  return std::abs(skin_function(balls, shrink_factor, at)) / std::sqrt(dot(slope, slope));
 }
 
 TEST(Skin_surface_3, HasTrianglesNearTheSurface) {
@@ -214,7 +220,7 @@ TEST(Skin_surface_3, OfManyBallsIsClosedAndHasTheTopologyOfTheGrownUnion) {
 TEST(Skin_surface_3, IsTheSameOfBallsOfEachSize) {
   const std::vector<Ball_3> balls = many_balls(20, 6, 3);
   const Triangle_mesh_3 skin = skin_of(balls);
-  for (const double size : {0x1p-40, 0x1p40}) {
+  for (const double size : {0x1p-900, 0x1p-40, 0x1p40, 0x1p900}) {
     std::vector<Ball_3> scaled;
     for (const auto& [center, radius] : balls) scaled.push_back({size * center, size * radius});
     const Triangle_mesh_3 other = skin_of(scaled, 0.5, size * tolerance);
@@ -232,6 +238,64 @@ TEST(Skin_surface_3, IsTheSameForEachNumberOfThreads) {
   const Triangle_mesh_3 second = skin_surface(balls, 0.5, tolerance, two);
   EXPECT_EQ(first.triangles, second.triangles);
   EXPECT_EQ(first.vertices, second.vertices);
+}
+
+TEST(Skin_surface_3, IsClosedOfBallsFarAwayAndOfAllSizes) {
+  for (const Ball_3& ball : {Ball_3{{0, 0, 0}, 1e200}, Ball_3{{0, 0, 0}, 1e-200}, Ball_3{{1e9, 1e9, 1e9}, 1e-12}}) {
+    const Triangle_mesh_3 skin = skin_of({ball}, 0.5, tolerance * ball.radius);
+    EXPECT_TRUE(is_closed_manifold(skin)) << ball.radius;
+    EXPECT_GT(skin.triangles.size(), 100) << ball.radius;
+  }
+  EXPECT_TRUE(is_closed_manifold(skin_of({{{0, 0, 0}, 1}, {{5, 0, 0}, 1e-200}})));
+  EXPECT_TRUE(is_closed_manifold(skin_of({{{-1e300, 0, 0}, 1e300}, {{1e300, 0, 0}, 1e299}}, 0.5, 1e297)));
+}
+
+TEST(Skin_surface_3, IsAsNearAsItIsToldAtTheLimitsOfItsSettings) {
+  const std::vector<Ball_3> balls{{{0, 0, 0}, 1}, {{0.95, 0, 0}, 0.1}};
+  for (const double shrink_factor : {0.05, 0.95}) {
+    constexpr double within = 2e-5;
+    const Triangle_mesh_3 skin = skin_of(balls, shrink_factor, within);
+    ASSERT_TRUE(is_skin(balls, shrink_factor, skin)) << shrink_factor;
+    const std::vector<Point_3> points = mesh_points(skin);
+    for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 2000)
+      ASSERT_LE(distance_to_skin(balls, shrink_factor, points[i]), 1.5 * within) << shrink_factor;
+  }
+}
+
+TEST(Skin_surface_3, StopsWhenItIsCancelled) {
+  const std::vector<Ball_3> balls = many_balls(2000, 6, 5);
+  for (const std::string_view wanted : {"regular triangulation", "mixed complex", "skin surface"}) {
+    std::stop_source stop;
+    Progress progress(stop.get_token(), [&](std::string_view stage, double) {
+      if (stage == wanted) stop.request_stop();
+    });
+    EXPECT_THROW(skin_surface(balls, 0.5, tolerance, progress), Cancelled) << wanted;
+  }
+}
+
+TEST(Skin_surface_3, HasHardlyATriangleThatLiesBackwards) {
+  for (const std::uint64_t seed : {4, 5}) {
+    const std::vector<Ball_3> balls = many_balls(10, 3, seed);
+    const double size = size_of(balls);
+    for (const double shrink_factor : {0.2, 0.5, 0.95}) {
+      const double within = 0.02 * size;
+      const Triangle_mesh_3 skin = skin_of(balls, shrink_factor, within);
+      std::size_t backwards = 0;
+      std::size_t looked = 0;
+      for (std::size_t t = 0; t < skin.triangles.size(); t += 1 + skin.triangles.size() / 1000) {
+        const auto corner = [&](int i) { return skin.vertices[skin.triangles[t][i % 3]]; };
+        const Point_3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
+        double longest = 0;
+        for (int i = 0; i < 3; ++i) longest = std::max(longest, distance(corner(i), corner(i + 1)));
+        // Needles have no direction.
+        if (longest < within || std::sqrt(dot(normal, normal)) < 0.1 * within * longest) continue;
+        ++looked;
+        if (dot(normal, slope_at(balls, shrink_factor, (1.0 / 3) * (corner(0) + corner(1) + corner(2)))) > 0)
+          ++backwards;
+      }
+      EXPECT_LE(backwards, looked / 100) << shrink_factor << ": " << backwards << " of " << looked;
+    }
+  }
 }
 
 TEST(Skin_surface_3, RefusesWithAReason) {
