@@ -199,7 +199,8 @@ void Mixed_complex_3::find_anchors(Progress& progress) {
     if (s >= cell) {
       for (int i = 0; i < 4; ++i) use(triangle + triangles_of_cell_[s - cell][i], i);
     } else if (s >= triangle) {
-      const auto& [c, across] = cell_of_triangle_[s - triangle];
+      const int c = cell_of_triangle_[s - triangle][0];
+      const int across = cell_of_triangle_[s - triangle][1];
       for (int i = 0; i < 3; ++i) {
         const auto place = [&](int k) { return k < across ? k : k + 1; };
         use(edge + edges_of_cell_[c][edge_between(place((i + 1) % 3), place((i + 2) % 3))], i);
