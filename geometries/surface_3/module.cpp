@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/graph.h"
+#include "core/outcome.h"
 #include "geometries/primitives_3.h"
 #include "geometries/samples_3/module.h"
 #include "geometries/scale_axis_3/module.h"
@@ -133,6 +134,7 @@ void register_surface_3(Registry& registry) {
         std::vector<Ball_3> with_radius = *balls;
         std::erase_if(with_radius, [](const Ball_3& ball) { return !(ball.radius > 0); });
         const double tolerance = context.setting(tolerance_setting) * diagonal_of(with_radius);
+        if (!(tolerance > 0)) throw Unavailable("all balls are points: they have no skin surface");
         Triangle_mesh_3 mesh =
             skin_surface(with_radius, context.setting(shrink_setting), tolerance, context.progress());
         Primitive_set set = primitives_in_space();

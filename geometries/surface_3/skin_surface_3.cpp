@@ -488,7 +488,8 @@ std::vector<Ball_3> surrounded(const std::vector<Ball_3>& balls, double shrink_f
 Triangle_mesh_3 skin_surface(const std::vector<Ball_3>& balls, double shrink_factor, double tolerance,
                              Progress& progress) {
   const Moved_balls moved = moved_to_origin(balls);
-  const double scaled_tolerance = std::ldexp(tolerance, moved.exponent);
+  constexpr double finest = 1e-7;
+  const double scaled_tolerance = std::max(finest, std::ldexp(tolerance, moved.exponent));
   const auto triangulated = [&] {
     const Regular_3 regular = regular_triangulation(surrounded(moved.balls, shrink_factor), progress);
     return Skin_mesher(regular, shrink_factor, scaled_tolerance, progress).mesh();

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -161,9 +162,12 @@ void add_surroundings(Triangulation& triangulation, const std::vector<Ball_3>& b
     radius = std::max(radius, ball.radius);
   }
   constexpr double far = 64;
-  double size = far * std::max(box.diagonal(), radius);
-  if (size == 0) size = 1;
   const Point_3 c = midpoint(box.lower, box.upper);
+  // Far from the origin, what is near has the same coordinates.
+  constexpr double least_part = 0x1p-30;
+  double size = std::max(far * std::max(box.diagonal(), radius),
+                         least_part * std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}));
+  if (size == 0) size = 1;
   const double weight = -far * size * size;
   for (const Point_3& d : {Point_3{1, 1, 1}, Point_3{1, -1, -1}, Point_3{-1, 1, -1}, Point_3{-1, -1, 1}}) {
     const Point_3 p = c + size * d;

@@ -150,6 +150,11 @@ TEST(Growing_regular_3, goes_on_after_it_was_cancelled) {
   EXPECT_TRUE(is_same(growing.triangulate(balls, progress), regular_triangulation(balls, progress)));
 }
 
+TEST(Regular_3, of_tiny_balls_far_from_the_origin_is_complete) {
+  EXPECT_TRUE(is_regular_triangulation({{{1e9, 1e9, 1e9}, 1e-12}}));
+  EXPECT_TRUE(is_regular_triangulation({{{1e9, 1e9, 1e9}, 1e-12}, {{1e9, 1e9, 1e9 + 1e-6}, 1e-12}}));
+}
+
 /// In a cell the weights are convex; outside there is none.
 testing::AssertionResult locates(const std::vector<Ball_3>& balls) {
   Progress progress;
