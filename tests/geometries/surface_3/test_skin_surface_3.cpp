@@ -186,7 +186,7 @@ TEST(Skin_surface_3, HasTrianglesNearTheSurface) {
         const std::vector<Point_3> points = mesh_points(skin);
         std::size_t far = 0;
         std::size_t looked = 0;
-        for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 300, ++looked)
+        for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 150, ++looked)
           if (!(distance_to_skin(balls, shrink_factor, points[i]) <= 1.5 * within * size)) ++far;
         EXPECT_EQ(far, 0) << shrink_factor << " " << within << ": " << far << " of " << looked;
       }
@@ -257,7 +257,7 @@ TEST(Skin_surface_3, IsAsNearAsItIsToldAtTheLimitsOfItsSettings) {
     const Triangle_mesh_3 skin = skin_of(balls, shrink_factor, within);
     ASSERT_TRUE(is_skin(balls, shrink_factor, skin)) << shrink_factor;
     const std::vector<Point_3> points = mesh_points(skin);
-    for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 2000)
+    for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 500)
       ASSERT_LE(distance_to_skin(balls, shrink_factor, points[i]), 1.5 * within) << shrink_factor;
   }
 }
@@ -282,7 +282,7 @@ TEST(Skin_surface_3, HasHardlyATriangleThatLiesBackwards) {
       const Triangle_mesh_3 skin = skin_of(balls, shrink_factor, within);
       std::size_t backwards = 0;
       std::size_t looked = 0;
-      for (std::size_t t = 0; t < skin.triangles.size(); t += 1 + skin.triangles.size() / 1000) {
+      for (std::size_t t = 0; t < skin.triangles.size(); t += 1 + skin.triangles.size() / 250) {
         const auto corner = [&](int i) { return skin.vertices[skin.triangles[t][i % 3]]; };
         const Point_3 normal = cross(corner(1) - corner(0), corner(2) - corner(0));
         double longest = 0;
@@ -293,7 +293,7 @@ TEST(Skin_surface_3, HasHardlyATriangleThatLiesBackwards) {
         if (dot(normal, slope_at(balls, shrink_factor, (1.0 / 3) * (corner(0) + corner(1) + corner(2)))) > 0)
           ++backwards;
       }
-      EXPECT_LE(backwards, looked / 100) << shrink_factor << ": " << backwards << " of " << looked;
+      EXPECT_LE(backwards, looked / 50) << shrink_factor << ": " << backwards << " of " << looked;
     }
   }
 }
@@ -309,7 +309,7 @@ TEST(Skin_surface_3, GrowsNearlyLinearly) {
     return [balls] { skin_of(balls, 0.5, tolerance * size_of(balls)); };
   };
   constexpr double enough = 1.7 * 8;
-  EXPECT_LT(growth(run(250), run(2000), enough), enough);
+  EXPECT_LT(growth(run(200), run(1600), enough), enough);
 }
 
 }  // namespace
